@@ -1,0 +1,86 @@
+// The catalogue as C++ values: types, names, and storage of many shapes of each type.
+#pragma once
+
+#include "diagnostics/check.h"
+#include "primitives/kernel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quartic {
+
+// The id of a shape in the catalogue; mesh stands for triangles, which are no shape.
+enum class ShapeType : std::uint8_t {
+    mesh = 0,
+#define SHAPE(id, Type, name) name = id,
+#include "primitives/catalog.h"
+#undef SHAPE
+};
+
+struct ShapeRow {
+    ShapeType type;
+    std::string_view name;
+    std::size_t record_bytes;  // of the float parameters alone
+};
+
+// All shapes, in the order of their ids.
+std::span<const ShapeRow> shape_table();
+std::string_view name(ShapeType type);
+
+constexpr std::size_t shape_type_count = 1
+#define SHAPE(id, Type, name) +1
+#include "primitives/catalog.h"
+#undef SHAPE
+    ;
+
+template <class Shape>
+constexpr ShapeType type_of = ShapeType::mesh;
+#define SHAPE(id, Type, name)                              \
+    template <>                                            \
+    inline constexpr ShapeType type_of<f64::Type> = ShapeType::name; \
+    template <>                                            \
+    inline constexpr ShapeType type_of<f32::Type> = ShapeType::name;
+#include "primitives/catalog.h"
+#undef SHAPE
+
+// Many shapes, each type in its own array.
+struct ShapeStore {
+#define SHAPE(id, Type, name) std::vector<f64::Type> name;
+#include "primitives/catalog.h"
+#undef SHAPE
+};
+
+// The array of one type.
+template <class Shape>
+std::vector<Shape>& array_of(ShapeStore& store) {
+#define SHAPE(id, Type, name)                          \
+    if constexpr (std::is_same_v<Shape, f64::Type>) {  \
+        return store.name;                             \
+    }
+#include "primitives/catalog.h"
+#undef SHAPE
+}
+
+// Calls visitor(const f64::Type&) with the shape of that type at that index of its array.
+template <class Visitor>
+decltype(auto) visit_shape(const ShapeStore& store, ShapeType type, std::uint32_t index, Visitor&& visitor) {
+    switch (type) {
+#define SHAPE(id, Type, name) \
+    case ShapeType::name: return visitor(store.name[index]);
+#include "primitives/catalog.h"
+#undef SHAPE
+        case ShapeType::mesh: break;
+    }
+    check_failed("a mesh is no shape", __FILE__, __LINE__);
+}
+
+// Why a shape cannot be drawn as it is, or empty: not finite, negative, a spindle torus, a cut that does not close.
+#define SHAPE(id, Type, name) std::string_view find_fault(const f64::Type& shape);
+#include "primitives/catalog.h"
+#undef SHAPE
+
+}  // namespace quartic

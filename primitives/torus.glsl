@@ -1,0 +1,241 @@
+// An elbow: a tube around a circle in the local xy plane, from +x through arc; end 0 faces -y, end 1 is at the arc.
+//
+// A ring (arc of a full turn) has no ends. The tube may touch the axis (bend_radius = radius) but not cross it:
+// spindle tori are refused by is_valid in shape.cpp.
+struct Torus
+{
+    real bend_radius;  // >= radius
+    real radius;       // > 0, of the tube
+    real arc;          // (0, 2 pi]
+    real unused_0;
+};
+
+Bounds bounds(Torus torus)
+{
+    vec4 xy = sector_box(torus.bend_radius - torus.radius, torus.bend_radius + torus.radius, torus.arc);
+    Bounds box;
+    box.low = vec3(xy.x, xy.y, -torus.radius);
+    box.high = vec3(xy.z, xy.w, torus.radius);
+    return box;
+}
+
+bool is_ring(Torus torus)
+{
+    return torus.arc >= real(2) * pi();
+}
+
+int face_count(Torus torus)
+{
+    return is_ring(torus) ? 1 : 3;
+}
+
+int end_count(Torus torus)
+{
+    return is_ring(torus) ? 0 : 2;
+}
+
+End end(Torus torus, int index)
+{
+    real angle = index == 0 ? real(0) : torus.arc;
+    real side = index == 0 ? real(-1) : real(1);
+    End disc;
+    disc.centre = polar(torus.bend_radius, angle, real(0));
+    disc.normal = side * vec3(-sin(angle), cos(angle), 0);
+    disc.radius = torus.radius;
+    disc.flare = real(0);
+    return disc;
+}
+
+vec3 point(Torus torus, int face, vec2 uv)
+{
+    if (face == 0) {
+        real around = real(2) * pi() * uv.y;
+        return polar(torus.bend_radius + torus.radius * cos(around), torus.arc * uv.x, torus.radius * sin(around));
+    }
+    return disc_point(end(torus, face - 1), uv);
+}
+
+int hull_rings(Torus torus)
+{
+    return arc_rings(torus.arc);
+}
+
+vec3 hull_point(Torus torus, int ring, int corner, real margin)
+{
+    vec3 tube = octagon_corner(torus.radius + margin, corner, real(0));
+    vec2 across_tube = vec2(torus.bend_radius + tube.x, tube.y);
+    if (tube.x < real(0)) {
+        // The inner side need not be widened: its chords pass inside.
+        across_tube.x = across_tube.x * cos(real(0.5) * torus.arc / real(hull_rings(torus) - 1));
+    }
+    return arc_hull_point(across_tube, torus.arc, hull_rings(torus), ring, margin);
+}
+
+// The quartic along p + t v, |v| = 1, p . v = 0: with t measured from the point closest to the centre it has no cubic
+// term. Positive outside (reference: (|x|^2 - R^2 - r^2)^2 + 4 R^2 (z^2 - r^2)).
+Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
+{
+    real bend2 = bend_radius * bend_radius;
+    real radius2 = radius * radius;
+    real k = dot(p, p) - bend2 - radius2;
+    Quartic f;
+    f.c = real(2) * k + real(4) * bend2 * v.z * v.z;
+    f.d = real(8) * bend2 * p.z * v.z;
+    f.e = k * k + real(4) * bend2 * (p.z * p.z - radius2);
+    return f;
+}
+
+// Outwards from the circle in the middle of the tube; its length is the distance from it.
+vec3 from_spine(Torus torus, vec3 p)
+{
+    real rho = length(vec2(p));
+    real scale = rho > real(0) ? real(1) - torus.bend_radius / rho : real(1);
+    return vec3(p.x * scale, p.y * scale, p.z);
+}
+
+// Improves a root near t on the squared distance from the spine, taken as a quadratic: float32 quartics of thin tori
+// are only good to R^2 / r^2 ulps. side -1 is the way in, 1 the way out; not found where the line passes by.
+Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
+{
+    Root root;
+    root.found = true;
+    root.t = t;
+    for (int i = 0; i < 3; ++i) {
+        vec3 q = p + root.t * v;
+        real rho = length(vec2(q));
+        real w = rho - torus.bend_radius;
+        real rho_slope = dot(vec2(q), vec2(v)) / rho;
+        real bending = (v.x * v.x + v.y * v.y - rho_slope * rho_slope) / rho;
+        real a = max(real(1e-6), rho_slope * rho_slope + w * bending + v.z * v.z);
+        real b = w * rho_slope + q.z * v.z;
+        real distance = sqrt(w * w + q.z * q.z);
+        real c = (distance - torus.radius) * (distance + torus.radius);
+        real discriminant = b * b - a * c;
+        root.found = discriminant >= real(0);
+        real change = (side * sqrt(max(real(0), discriminant)) - b) / a;
+        root.t = root.t + clamp(change, -torus.radius, torus.radius);
+    }
+    return root;
+}
+
+bool is_inside(Torus torus, vec3 p)
+{
+    return length(from_spine(torus, p)) < torus.radius;
+}
+
+bool lies_in(Root root, real low, real high)
+{
+    return root.found && root.t >= low && root.t <= high;
+}
+
+// A line passes through a tube at most twice; the third visit is for a start that only grazed it.
+const int torus_visits_max = 3;
+
+// The wall's first crossing in [low, high] of the line p + t v for a tube so thin that the float32 quartic errs by a
+// visible part of it: the quartic of a tube thicker by that error finds every visit, polishing decides.
+Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
+{
+    real tolerance = real(0.001) * torus.radius;
+    real slack = real(2e-7) * torus.bend_radius * torus.bend_radius / torus.radius;
+    Quartic f = torus_quartic(torus.bend_radius, torus.radius + slack, p, v);
+    bool inside = is_inside(torus, p + low * v);
+    real from = low;
+    Root root;
+    for (int visit = 0; visit < torus_visits_max; ++visit) {
+        if (!inside) {
+            Root way_in;
+            way_in.found = true;
+            way_in.t = from;
+            if (quartic_value(f, from) >= real(0)) {
+                way_in = first_root(f, from, high, tolerance, solver);
+            }
+            root = polish(torus, p, v, way_in.t, real(-1));
+            if (!way_in.found || lies_in(root, low, high)) {
+                break;
+            }
+            from = way_in.t + tolerance;
+        }
+        Root way_out = first_root(f, from, high, tolerance, solver);
+        root = polish(torus, p, v, way_out.found ? way_out.t : high, real(1));
+        if ((inside && lies_in(root, low, high)) || !way_out.found) {
+            root.found = root.found && inside;
+            break;
+        }
+        inside = false;
+        root.found = false;
+        from = way_out.t + tolerance;
+    }
+    root.found = lies_in(root, low, high);
+    return root;
+}
+
+Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
+{
+    if (torus.bend_radius > real(2) * torus.radius) {
+        return first_thin_root(torus, p, v, low, high, solver);
+    }
+    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high,
+                      real(0.001) * torus.radius, solver);
+}
+
+// The first crossing with what lies in [low, high] between two cuts, the end planes where they cut: cap, wall, cap.
+Crossing first_crossing(Torus torus, Ray line, Span cut, int open_ends, int solver)
+{
+    Crossing crossing;
+    crossing.found = false;
+    crossing.t = cut.enter;
+    crossing.face = cut.enter_face;
+    if (cut.enter >= cut.exit) {
+        return crossing;
+    }
+    if (cut.enter_face > 0 && is_drawn(cut.enter_face, open_ends) && is_inside(torus, at(line, cut.enter))) {
+        crossing.found = true;
+        return crossing;
+    }
+    Root root = first_wall_root(torus, line.origin, line.direction, cut.enter, cut.exit, solver);
+    crossing.found = root.found;
+    crossing.t = root.t;
+    crossing.face = 0;
+    if (!root.found && cut.exit_face > 0 && is_drawn(cut.exit_face, open_ends)) {
+        crossing.found = is_inside(torus, at(line, cut.exit));
+        crossing.t = cut.exit;
+        crossing.face = cut.exit_face;
+    }
+    return crossing;
+}
+
+Hit hit(Torus torus, Ray ray, int open_ends, int solver)
+{
+    // The same line with a unit direction, measured from its point closest to the centre.
+    real speed = length(ray.direction);
+    Ray line;
+    line.direction = ray.direction / speed;
+    real shift = dot(ray.origin, line.direction);
+    line.origin = ray.origin - shift * line.direction;
+    line.first = ray.first * speed + shift;
+
+    real outer = torus.bend_radius + torus.radius;
+    real room = outer * outer - dot(line.origin, line.origin);
+    if (room < real(0)) {
+        return miss();
+    }
+    real reach = real(1.00001) * sqrt(room);
+    real turn = joint_overlap(torus.radius) / torus.bend_radius;
+    Sector sector = in_sector(line.origin, line.direction, torus.arc, is_open(open_ends, 0) ? turn : real(0),
+                              is_open(open_ends, 1) ? turn : real(0));
+    real low = max(-reach, line.first);
+    Crossing crossing = first_crossing(torus, line, between(sector.part_0, low, reach, 0), open_ends, solver);
+    if (!crossing.found) {
+        crossing = first_crossing(torus, line, between(sector.part_1, low, reach, 0), open_ends, solver);
+    }
+    if (!crossing.found) {
+        return miss();
+    }
+    vec3 normal = from_spine(torus, at(line, crossing.t));
+    if (crossing.face > 0) {
+        normal = end(torus, crossing.face - 1).normal;
+    }
+    Hit result = hit_at(line, crossing.t, normal);
+    result.t = (crossing.t - shift) / speed;
+    return result;
+}

@@ -1,0 +1,21 @@
+// Names of the solvers and what each can solve; their numbers are in first_root.glsl.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace quartic {
+
+struct SolverRow {
+    int id;
+    std::string_view name;
+    std::string_view solves;  // "torus", "torus cubic quartic", ...
+    std::string_view source;  // the paper, or where the recipe is written down
+};
+
+constexpr int solver_default = 1;
+
+std::span<const SolverRow> solver_table();
+const SolverRow* find_solver(std::string_view name);
+
+}  // namespace quartic
