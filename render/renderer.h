@@ -1,0 +1,80 @@
+// Draws a scene with OpenGL 4.5: every shape solved in its fragment shader. Needs a current context.
+#pragma once
+
+#include "diagnostics/result.h"
+#include "scene/camera.h"
+#include "scene/pack.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quartic {
+
+struct RenderOptions {
+    std::array<bool, layer_count> layers{true, true, true, false};
+    bool cull_frustum = true;
+    bool cull_size = true;
+    double size_min_px = 0.3;  // parts that appear smaller are not drawn (cull_size)
+    bool edges = true;
+    bool occlusion = true;     // ambient occlusion
+    bool transparent_background = false;
+    std::uint32_t selected = no_index;  // part drawn highlighted
+    glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing
+};
+
+// What the last frame did; read back after it, outside of any timing.
+struct FrameCounts {
+    std::uint64_t drawn = 0;
+    std::uint64_t culled_by_frustum = 0;
+    std::uint64_t culled_by_size = 0;
+};
+
+// A picture, rows from the bottom up, as it stands in GL.
+struct GBuffer {
+    PixelSize size;
+    std::vector<std::uint32_t> ids;    // part, or no_index for the background
+    std::vector<float> depth_m;        // view depth; infinity for the background
+    std::vector<glm::vec3> normals;    // world, out of the solid
+    std::vector<std::uint8_t> colours; // RGBA, sRGB, straight alpha
+    std::uint64_t nan_pixels = 0;      // not a number in any target
+};
+
+class Renderer {
+public:
+    // Compiles the programs that every scene needs.
+    static Result<Renderer> create();
+
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+    // Uploads a packed scene, replacing the one before, and compiles its (shape, solver) programs.
+    Status load(const Packed& packed);
+
+    // Draws into the renderer's own targets of this size.
+    Status draw(const Camera& camera, PixelSize size, const RenderOptions& options);
+
+    // Copies the finished colours of the last draw into a framebuffer (0: the window).
+    void present(unsigned framebuffer, PixelSize window_size);
+
+    // Read from the last draw. y counts from the bottom.
+    std::uint32_t part_at(int x, int y);
+    std::optional<double> depth_at(int x, int y);  // metres; nothing at the background
+    GBuffer read();
+    FrameCounts counts();
+    std::uint64_t gpu_bytes() const;
+
+    // GL errors seen since the start; texts of the first ones.
+    const std::vector<std::string>& gl_errors() const;
+
+private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace quartic

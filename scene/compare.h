@@ -1,0 +1,44 @@
+// Compares a picture's ids, depths and normals with the reference, pixel by pixel.
+#pragma once
+
+#include "scene/reference.h"
+
+#include <span>
+#include <vector>
+
+namespace quartic {
+
+// What a renderer found, rows from the bottom up.
+struct Picture {
+    PixelSize size;
+    std::span<const std::uint32_t> ids;
+    std::span<const float> depth_m;
+    std::span<const glm::vec3> normals;
+};
+
+struct HardAndTie {
+    std::uint64_t hard = 0;
+    std::uint64_t tie = 0;  // within tie_distance_px of an edge, or of equal depth
+};
+constexpr double tie_distance_px = 0.01;
+
+struct ErrorFigures {
+    double median = 0.0;
+    double p9999 = 0.0;
+    double max = 0.0;
+};
+
+struct Comparison {
+    std::uint64_t views = 0;
+    std::uint64_t hit_pixels = 0;  // where the reference hits
+    HardAndTie missed;
+    HardAndTie false_hits;
+    HardAndTie wrong_id;
+    std::vector<float> depth_errors;       // relative, where both hit the same part
+    std::vector<float> normal_errors_deg;
+};
+
+void compare(const Reference& reference, const View& view, const Picture& picture, Comparison& into);
+ErrorFigures figures(std::vector<float>& errors);
+
+}  // namespace quartic
