@@ -84,6 +84,7 @@ struct Scene {
     StringPool strings;
 
     std::vector<std::string> kinds;  // names of the source's kinds, e.g. "cylinder", "line"
+    std::vector<std::uint64_t> kind_counts;  // how many of each the source held, drawn or not
     std::vector<Outcome> outcomes;
     Findings findings;
     std::string unit = "m";  // of the source; the scene itself is in metres
