@@ -63,19 +63,43 @@ bool snout_is_valid(Snout snout)
     return snout.height > real(0) && end_rise(snout, 0) < huge && end_rise(snout, 1) < huge;
 }
 
+// The least and the greatest of (a cos t + b sin t) / (w - p cos t - q sin t), w > |(p, q)|: m is reached where
+// (a + m p) cos t + (b + m q) sin t = m w has a solution t, that is up to (a + m p)^2 + (b + m q)^2 = m^2 w^2.
+vec2 quotient_range(vec2 ab, vec2 pq, real w)
+{
+    real h = dot(ab, pq);
+    real k = w * w - dot(pq, pq);
+    real root = sqrt(h * h + k * dot(ab, ab));
+    return vec2(h - root, h + root) / k;
+}
+
+// The tight box of an end's rim: as seen from the circle's centre, its points are the radius times such quotients.
+Bounds rim_bounds(Snout snout, int index)
+{
+    vec2 slope = index == 0 ? vec2(snout.bottom_slope_x, snout.bottom_slope_y)
+                            : vec2(snout.top_slope_x, snout.top_slope_y);
+    real side = index == 0 ? real(-0.5) : real(0.5);
+    real radius = index == 0 ? snout.bottom_radius : snout.top_radius;
+    real lean = snout.offset / snout.height;
+    real w = real(1) - slope.x * lean;
+    vec2 pq = slope * radius_slope(snout);
+    vec2 x = quotient_range(vec2(w + lean * slope.x, lean * slope.y), pq, w);
+    vec2 y = quotient_range(vec2(0, w), pq, w);
+    vec2 z = quotient_range(slope, pq, w);
+    vec3 centre = vec3(side * snout.offset, 0, side * snout.height);
+    Bounds box;
+    box.low = centre + radius * vec3(x.x, y.x, z.x);
+    box.high = centre + radius * vec3(x.y, y.y, z.y);
+    return box;
+}
+
 Bounds bounds(Snout snout)
 {
-    // A sheared end rises by at most this over its circle, in either direction.
-    real lowest = real(-0.5) * snout.height - end_rise(snout, 0);
-    real highest = real(0.5) * snout.height + end_rise(snout, 1);
-    real lower_radius = max(real(0), radius_at(snout, lowest));
-    real upper_radius = max(real(0), radius_at(snout, highest));
-    real lower_x = snout.offset * lowest / snout.height;
-    real upper_x = snout.offset * highest / snout.height;
-    real widest = max(lower_radius, upper_radius);
+    Bounds bottom = rim_bounds(snout, 0);
+    Bounds top = rim_bounds(snout, 1);
     Bounds box;
-    box.low = vec3(min(lower_x - lower_radius, upper_x - upper_radius), -widest, lowest);
-    box.high = vec3(max(lower_x + lower_radius, upper_x + upper_radius), widest, highest);
+    box.low = min(bottom.low, top.low);
+    box.high = max(bottom.high, top.high);
     return box;
 }
 

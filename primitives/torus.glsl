@@ -89,20 +89,26 @@ Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
 vec3 from_spine(Torus torus, vec3 p)
 {
     real rho = length(vec2(p));
-    real scale = rho > real(0) ? real(1) - torus.bend_radius / rho : real(1);
+    if (rho == real(0)) {
+        return vec3(-torus.bend_radius, 0, p.z);  // on the axis all directions are alike
+    }
+    real scale = real(1) - torus.bend_radius / rho;
     return vec3(p.x * scale, p.y * scale, p.z);
 }
+
+// Steps of polishing that still converge; where the line passes the tube by, they never do.
+const int polish_steps_max = 8;
 
 // Improves a root near t on the squared distance from the spine, taken as a quadratic: float32 quartics of thin tori
 // are only good to R^2 / r^2 ulps. side -1 is the way in, 1 the way out; not found where the line passes by.
 Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
 {
     Root root;
-    root.found = true;
+    root.found = false;
     root.t = t;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < polish_steps_max && !root.found; ++i) {
         vec3 q = p + root.t * v;
-        real rho = length(vec2(q));
+        real rho = max(length(vec2(q)), real(0.01) * torus.bend_radius);  // the tube is not near the axis
         real w = rho - torus.bend_radius;
         real rho_slope = dot(vec2(q), vec2(v)) / rho;
         real bending = (v.x * v.x + v.y * v.y - rho_slope * rho_slope) / rho;
@@ -111,9 +117,9 @@ Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
         real distance = sqrt(w * w + q.z * q.z);
         real c = (distance - torus.radius) * (distance + torus.radius);
         real discriminant = b * b - a * c;
-        root.found = discriminant >= real(0);
         real change = (side * sqrt(max(real(0), discriminant)) - b) / a;
         root.t = root.t + clamp(change, -torus.radius, torus.radius);
+        root.found = discriminant >= real(0) && abs(change) < last_step() * torus.radius;
     }
     return root;
 }
@@ -135,8 +141,8 @@ const int torus_visits_max = 3;
 // visible part of it: the quartic of a tube thicker by that error finds every visit, polishing decides.
 Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
 {
-    real tolerance = real(0.001) * torus.radius;
-    real slack = real(2e-7) * torus.bend_radius * torus.bend_radius / torus.radius;
+    real tolerance = last_step() * torus.radius;
+    real slack = real(2) * rounding() * torus.bend_radius * torus.bend_radius / torus.radius;
     Quartic f = torus_quartic(torus.bend_radius, torus.radius + slack, p, v);
     bool inside = is_inside(torus, p + low * v);
     real from = low;
@@ -149,8 +155,12 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
             if (quartic_value(f, from) >= real(0)) {
                 way_in = first_root(f, from, high, tolerance, solver);
             }
+            root = way_in;
+            if (!way_in.found) {
+                break;
+            }
             root = polish(torus, p, v, way_in.t, real(-1));
-            if (!way_in.found || lies_in(root, low, high)) {
+            if (lies_in(root, low, high)) {
                 break;
             }
             from = way_in.t + tolerance;
@@ -175,7 +185,7 @@ Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
         return first_thin_root(torus, p, v, low, high, solver);
     }
     return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high,
-                      real(0.001) * torus.radius, solver);
+                      last_step() * torus.radius, solver);
 }
 
 // The first crossing with what lies in [low, high] between two cuts, the end planes where they cut: cap, wall, cap.

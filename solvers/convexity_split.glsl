@@ -8,20 +8,24 @@
 // Convergence is quadratic: 14 steps were the most ever seen, the bound is for rounding at double roots.
 const int newton_steps_max = 32;
 
-// Newton on side * f from start until a step is below the tolerance; with descending set, a slope that is not
-// negative means that the minimum was passed without a root.
-Root newton_monotone(Quartic f, real side, real start, bool descending, real tolerance)
+// Newton on side * f from start until a step is below the tolerance. A furthest place below huge says that there may
+// be no root: a slope that is not negative means that the minimum was passed, and so does a step beyond that place,
+// where another convexity, and with it another root, may begin.
+Root newton_monotone(Quartic f, real side, real start, real furthest, real tolerance)
 {
     Root root;
     root.found = false;
     root.t = start;
     for (int i = 0; i < newton_steps_max; ++i) {
         real slope = side * quartic_slope(f, root.t);
-        if (slope == real(0) || (descending && slope > real(0))) {
+        if (slope == real(0) || (slope > real(0) && furthest < huge)) {
             return root;
         }
         real change = side * quartic_value(f, root.t) / slope;
         root.t = root.t - change;
+        if (root.t > furthest) {
+            return root;
+        }
         if (abs(change) < tolerance) {
             break;
         }
@@ -48,10 +52,10 @@ Root first_root_convexity_split(Quartic f, real low, real high, real tolerance)
         bool convex = (region == 1) == (side < real(0));
         bool crosses = side * quartic_value(f, right) < real(0);
         if (crosses) {
-            return newton_monotone(f, side, convex ? left : right, false, tolerance);
+            return newton_monotone(f, side, convex ? left : right, huge, tolerance);
         }
         if (convex && side * quartic_slope(f, left) < real(0) && side * quartic_slope(f, right) > real(0)) {
-            root = newton_monotone(f, side, left, true, tolerance);
+            root = newton_monotone(f, side, left, right, tolerance);
             if (root.found) {
                 return root;
             }
