@@ -14,6 +14,7 @@ struct Kernel {
 
 #include "solvers/all.glsl"
 
+#include "primitives/placement.glsl"
 #include "primitives/ray.glsl"
 #include "primitives/span.glsl"
 

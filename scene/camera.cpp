@@ -1,0 +1,171 @@
+// Camera mathematics in double.
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace quartic {
+namespace {
+
+struct NamedView {
+    std::string_view name;
+    glm::dvec3 direction;  // from the eye into the scene
+    glm::dvec3 up;
+};
+
+constexpr NamedView named_views[] = {
+    {"fit", {0.55, 0.75, -0.45}, {0, 0, 1}},   {"iso", {1, 1, -0.8164965809}, {0, 0, 1}},
+    {"front", {0, 1, 0}, {0, 0, 1}},           {"back", {0, -1, 0}, {0, 0, 1}},
+    {"left", {1, 0, 0}, {0, 0, 1}},            {"right", {-1, 0, 0}, {0, 0, 1}},
+    {"top", {0, 0, -1}, {0, 1, 0}},            {"bottom", {0, 0, 1}, {0, 1, 0}},
+};
+
+// Nine numbers between commas and semicolons.
+std::optional<std::array<double, 9>> parse_numbers(std::string_view text) {
+    std::array<double, 9> numbers{};
+    const char* at = text.data();
+    const char* const end = text.data() + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::from_chars_result parsed = std::from_chars(at, end, numbers[i]);
+        if (parsed.ec != std::errc() || !std::isfinite(numbers[i])) {
+            return {};
+        }
+        at = parsed.ptr;
+        if (i + 1 == numbers.size()) {
+            break;
+        }
+        if (at == end || *at != (i % 3 == 2 ? ';' : ',')) {
+            return {};
+        }
+        ++at;
+    }
+    return at == end ? std::optional(numbers) : std::nullopt;
+}
+
+// Depth range of a box seen from a view.
+std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward) {
+    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                           (corner & 4) != 0 ? box.high.z : box.low.z);
+        const double depth = glm::dot(p - eye, forward);
+        range = {std::min(range[0], depth), std::max(range[1], depth)};
+    }
+    return range;
+}
+
+}  // namespace
+
+View make_view(const Camera& camera, PixelSize size) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    glm::dvec3 right = glm::cross(forward, camera.up);
+    if (glm::dot(right, right) < 1e-20) {
+        right = glm::cross(forward, std::abs(forward.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+    }
+    right = glm::normalize(right);
+    const double height = camera.projection == Projection::perspective ? 2.0 * std::tan(0.5 * camera.fov_y)
+                                                                       : camera.height_m;
+    return {camera.eye,    right,         glm::cross(right, forward), -forward, camera.projection,
+            height / size.height, camera.near_m, camera.far_m,               size};
+}
+
+f64::Ray pixel_ray(const View& view, double x, double y) {
+    const glm::dvec3 offset = (x - 0.5 * view.size.width) * view.step * view.right +
+                              (y - 0.5 * view.size.height) * view.step * view.up;
+    if (view.projection == Projection::perspective) {
+        return {view.eye, offset - view.back, view.near_m};
+    }
+    return {view.eye + offset, -view.back, view.near_m};
+}
+
+glm::dvec3 project(const View& view, const glm::dvec3& world) {
+    const glm::dvec3 p = world - view.eye;
+    const double depth = -glm::dot(view.back, p);
+    const double scale = view.step * (view.projection == Projection::perspective ? depth : 1.0);
+    return {0.5 * view.size.width + glm::dot(view.right, p) / scale,
+            0.5 * view.size.height + glm::dot(view.up, p) / scale, depth};
+}
+
+double buffer_depth(const View& view, double depth_m) {
+    return view.projection == Projection::perspective ? view.near_m / depth_m
+                                                      : (view.far_m - depth_m) / (view.far_m - view.near_m);
+}
+
+double depth_from_buffer(const View& view, double buffer_depth) {
+    return view.projection == Projection::perspective ? view.near_m / buffer_depth
+                                                      : view.far_m - buffer_depth * (view.far_m - view.near_m);
+}
+
+Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up, const Camera& like,
+                  PixelSize size) {
+    Camera camera = like;
+    const Box3 seen = box.empty() ? Box3{glm::dvec3(-1.0), glm::dvec3(1.0)} : box;
+    const glm::dvec3 middle = 0.5 * (seen.low + seen.high);
+    const glm::dvec3 forward = glm::normalize(direction);
+    camera.target = middle;
+    camera.up = up;
+    camera.eye = middle - forward;
+    const View axes = make_view(camera, size);
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const double tangent = std::tan(0.5 * camera.fov_y);
+
+    // The least distance and height at which each corner is inside the picture, with a margin of 4 %.
+    double distance = 0.0;
+    double half_height = 1e-9;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 half = 0.5 * (seen.high - seen.low);
+        const glm::dvec3 p((corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
+                           (corner & 4) != 0 ? half.z : -half.z);
+        const double reach = std::max(std::abs(glm::dot(axes.right, p)) / aspect, std::abs(glm::dot(axes.up, p)));
+        half_height = std::max(half_height, 1.04 * reach);
+        distance = std::max(distance, 1.04 * reach / tangent + glm::dot(axes.back, p));
+    }
+    distance = std::max(distance, 1e-6);
+    camera.height_m = 2.0 * half_height;
+    camera.eye = middle - distance * forward;
+    const std::array<double, 2> range = depth_range(seen, camera.eye, forward);
+    const double extent = std::max(glm::length(seen.high - seen.low), 1e-6);
+    if (camera.projection == Projection::perspective) {
+        camera.near_m = std::max(0.5 * range[0], 1e-4 * extent);
+    } else {
+        camera.near_m = range[0] - 0.05 * extent;
+        camera.far_m = range[1] + 0.05 * extent;
+    }
+    return camera;
+}
+
+std::optional<Camera> find_camera(std::string_view text, const Box3& box, const Camera& like, PixelSize size) {
+    for (const NamedView& named : named_views) {
+        if (named.name == text) {
+            return fit_camera(box, named.direction, named.up, like, size);
+        }
+    }
+    const std::optional<std::array<double, 9>> numbers = parse_numbers(text);
+    if (!numbers) {
+        return {};
+    }
+    const std::array<double, 9>& n = *numbers;
+    Camera camera = like;
+    camera.eye = {n[0], n[1], n[2]};
+    camera.target = {n[3], n[4], n[5]};
+    camera.up = {n[6], n[7], n[8]};
+    const double distance = glm::distance(camera.eye, camera.target);
+    if (!(distance > 0.0) || glm::length(camera.up) == 0.0) {
+        return {};
+    }
+    camera.height_m = 2.0 * distance * std::tan(0.5 * camera.fov_y);
+    camera.near_m = 1e-3 * distance;
+    if (camera.projection == Projection::orthographic && !box.empty()) {
+        const double extent = glm::length(box.high - box.low);
+        const std::array<double, 2> range =
+            depth_range(box, camera.eye, glm::normalize(camera.target - camera.eye));
+        camera.near_m = std::max(range[0] - 0.05 * extent, 0.0);
+        camera.far_m = std::max(range[1] + 0.05 * extent, camera.near_m + extent);
+    }
+    return camera;
+}
+
+}  // namespace quartic

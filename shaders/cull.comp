@@ -1,0 +1,112 @@
+// Which parts are in the picture, and by which proxy: one group for each chunk.
+#include "shaders/layout.glsl"
+#include "shaders/camera.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = binding_chunks) readonly buffer Chunks { ChunkBlock chunks[]; };
+layout(std430, binding = binding_bounds) readonly buffer BoundsBuffer { BoundsBlock bounds[]; };
+layout(std430, binding = binding_batches) readonly buffer Batches { BatchBlock batches[]; };
+layout(std430, binding = binding_visible) writeonly buffer Visible { uint visible[]; };
+layout(std430, binding = binding_near) writeonly buffer Near { uint near_parts[]; };
+layout(std430, binding = binding_commands) buffer Commands { Command commands[]; };
+layout(std430, binding = binding_counts) buffer Counts { CountsBlock counts; };
+
+// Parts that appear larger than this are rasterised by their hulls, which cost more vertices and fewer pixels.
+const float hull_size_min_px = 24.0;
+
+// A box relative to the eye: depth of its centre and half extent along the view.
+struct Seen
+{
+    bool inside;
+    float nearest_depth;
+    float size_px;
+};
+
+bool beyond(vec3 outward, float limit, vec3 centre, vec3 half_size)
+{
+    return dot(outward, centre) - dot(abs(outward), half_size) > limit;
+}
+
+Seen look_at(vec3 centre, vec3 half_size)
+{
+    vec3 right = vec3(camera.right.xyz);
+    vec3 up = vec3(camera.up.xyz);
+    vec3 back = vec3(camera.back.xyz);
+    float near_depth = float(camera.near_depth);
+    float depth = -dot(back, centre);
+    float reach = dot(abs(back), half_size);
+    vec2 half_picture = vec2(camera.half_width, camera.half_height) * float(camera.step);
+    // Half a pixel for the jitter, and what float loses in these sums.
+    float slack = 1e-5 * (length(centre) + length(half_size));
+    float largest = 2.0 * max(half_size.x, max(half_size.y, half_size.z));
+
+    Seen seen;
+    seen.nearest_depth = depth - reach - slack;
+    seen.inside = depth + reach + slack >= near_depth;
+    if (camera.orthographic != 0) {
+        vec2 limit = half_picture + float(camera.step) + slack;
+        seen.size_px = largest / float(camera.step);
+        seen.inside = seen.inside && !beyond(right, limit.x, centre, half_size) &&
+                      !beyond(-right, limit.x, centre, half_size) && !beyond(up, limit.y, centre, half_size) &&
+                      !beyond(-up, limit.y, centre, half_size);
+    } else {
+        vec2 limit = half_picture + float(camera.step);
+        seen.size_px = largest / (float(camera.step) * max(depth - reach, near_depth));
+        seen.inside = seen.inside && !beyond(right + limit.x * back, slack, centre, half_size) &&
+                      !beyond(-right + limit.x * back, slack, centre, half_size) &&
+                      !beyond(up + limit.y * back, slack, centre, half_size) &&
+                      !beyond(-up + limit.y * back, slack, centre, half_size);
+    }
+    seen.inside = seen.inside || camera.cull_frustum == 0u;
+    return seen;
+}
+
+// Takes the next place in a command's list, and a new instance with every first place of one.
+uint take_slot(uint command)
+{
+    uint slot = atomicAdd(commands[command].part_count, 1u);
+    if (slot % parts_per_instance == 0u) {
+        atomicAdd(commands[command].instance_count, 1u);
+    }
+    return slot;
+}
+
+void draw(uint locator, Seen seen)
+{
+    BatchBlock batch = batches[locator >> locator_shift];
+    uint index = locator & ((1u << locator_shift) - 1u);
+    if (batch.is_mesh != 0u) {
+        commands[batch.first_command + index].instance_count = 1u;
+        return;
+    }
+    if (seen.nearest_depth <= float(camera.near_depth) * 1.001) {
+        near_parts[batch.first + take_slot(batch.first_command + uint(command_near))] = index;
+    } else if (seen.size_px > hull_size_min_px) {
+        uint slot = take_slot(batch.first_command + uint(command_hull));
+        visible[batch.first + batch.count - 1u - slot] = index;
+    } else {
+        visible[batch.first + take_slot(batch.first_command + uint(command_box))] = index;
+    }
+}
+
+void main()
+{
+    ChunkBlock chunk = chunks[gl_WorkGroupID.x];
+    vec3 from_eye = vec3(dvec3(chunk.x, chunk.y, chunk.z) - camera.eye.xyz);
+    for (uint i = gl_LocalInvocationID.x; i < chunk.count; i += gl_WorkGroupSize.x) {
+        BoundsBlock box = bounds[chunk.first + i];
+        if ((camera.layer_mask >> box.layer & 1u) == 0u) {
+            continue;
+        }
+        vec3 half_size = vec3(box.half_x, box.half_y, box.half_z);
+        Seen seen = look_at(from_eye + vec3(box.centre_x, box.centre_y, box.centre_z), half_size);
+        if (!seen.inside) {
+            atomicAdd(counts.culled_by_frustum, 1u);
+        } else if (seen.size_px < camera.size_min_px) {
+            atomicAdd(counts.culled_by_size, 1u);
+        } else {
+            atomicAdd(counts.drawn, 1u);
+            draw(box.locator, seen);
+        }
+    }
+}

@@ -1,0 +1,119 @@
+// Buffers and binding numbers that C++ (in namespace quartic::gpu) and the shaders share.
+//
+// Only scalars and 32-byte vectors of doubles, so that std140, std430 and C++ agree; render/layout_check.cpp and a test
+// on the GPU compare sizes and offsets.
+
+// A part's place in its chunk: followed in its record by the float shape.
+struct Placement
+{
+    float x;       // metres from the chunk's origin
+    float y;
+    float z;
+    float turn_a;  // rotation, as primitives/placement.glsl says
+    float turn_b;
+    float turn_c;
+    uint part;     // its id in the scene
+    uint bits;     // see the masks below
+};
+const uint open_ends_mask = 3u;         // bit i: end i has no cap
+const uint smooth_ends_shift = 2u;      // two bits: the wall goes on smoothly at end i
+const uint rotation_largest_shift = 4u; // two bits: which component of the quaternion is left out
+const uint chunk_shift = 6u;            // the rest: the chunk's index
+
+// What a frame is drawn from. Doubles where the plant's coordinates are subtracted.
+struct CameraBlock
+{
+    dvec4 eye;    // world
+    dvec4 right;  // unit axes in the world
+    dvec4 up;
+    dvec4 back;
+    double step;        // of a pixel: tangent, or metres in orthographic projection
+    double near_depth;
+    double far_depth;   // orthographic only
+    double unused_0;
+    double half_width;  // of the picture in pixels
+    double half_height;
+    double jitter_x;    // of all rays, in pixels
+    double jitter_y;
+    int orthographic;
+    float size_min_px;  // smaller parts are culled; 0: none
+    uint layer_mask;    // bit i: layer i is visible
+    uint cull_frustum;
+    uint part_count;
+    uint selected;      // part drawn highlighted, or all ones
+    uint edges;
+    uint occlusion;
+};
+
+struct ChunkBlock
+{
+    double x;  // origin in the world
+    double y;
+    double z;
+    uint first;  // in the bounds
+    uint count;
+};
+
+struct BoundsBlock
+{
+    float centre_x;  // from the chunk's origin
+    float centre_y;
+    float centre_z;
+    uint locator;    // batch << 24 | index in the batch
+    float half_x;
+    float half_y;
+    float half_z;
+    uint layer;
+};
+const uint locator_shift = 24u;
+
+// One indirect draw, in the order that OpenGL reads, and how many parts it draws.
+struct Command
+{
+    uint index_count;
+    uint instance_count;
+    uint first_index;
+    int base_vertex;
+    uint base_instance;
+    uint part_count;
+    uint unused_0;
+    uint unused_1;
+};
+// The commands of a batch: small parts by their boxes, large ones by their hulls, those at the near plane from inside.
+const int command_box = 0;
+const int command_hull = 1;
+const int command_near = 2;
+const int commands_per_batch = 3;
+
+// Instances of an indirect draw hold this many parts each: single parts would each cost a driver a draw.
+const uint parts_per_instance = 64u;
+
+struct BatchBlock
+{
+    uint first;  // in the lists of visible parts
+    uint count;
+    uint first_command;
+    uint is_mesh;  // one command a part instead of three a batch
+};
+
+struct CountsBlock
+{
+    uint drawn;
+    uint culled_by_frustum;
+    uint culled_by_size;
+    uint unused_0;
+};
+
+const int binding_camera = 0;  // uniform block
+const int binding_chunks = 0;  // storage blocks from here
+const int binding_records = 1;
+const int binding_visible = 2;
+const int binding_near = 3;
+const int binding_commands = 4;
+const int binding_bounds = 5;
+const int binding_batches = 6;
+const int binding_counts = 7;
+const int binding_part_materials = 8;
+const int binding_materials = 9;
+
+const uint no_part = 0xffffffffu;
