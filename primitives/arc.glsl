@@ -69,7 +69,7 @@ vec3 arc_hull_point(vec2 corner, real arc, int rings, int ring, real margin)
     real angle = step_angle * real(ring);
     real widening = real(1) / cos(real(0.5) * step_angle);
     real rho = max(real(0), corner.x) * widening;
-    vec3 p = polar(rho, angle, corner.y);
+    vec3 p = polar(rho, angle, -corner.y);  // turned over: seen from ring 0 the corners run as in straight shapes
     real step_out = arc >= real(2) * pi() ? real(0) : (ring == 0 ? -margin : (ring == rings - 1 ? margin : real(0)));
     return p + step_out * vec3(-sin(angle), cos(angle), 0);
 }

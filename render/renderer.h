@@ -58,6 +58,9 @@ public:
     // Draws into the renderer's own targets of this size.
     Status draw(const Camera& camera, PixelSize size, const RenderOptions& options);
 
+    // Waits until the GPU has done all that was asked of it.
+    void finish();
+
     // Copies the finished colours of the last draw into a framebuffer (0: the window).
     void present(unsigned framebuffer, PixelSize window_size);
 

@@ -11,6 +11,10 @@ layout(std430, binding = binding_near) writeonly buffer Near { uint near_parts[]
 layout(std430, binding = binding_commands) buffer Commands { Command commands[]; };
 layout(std430, binding = binding_counts) buffer Counts { CountsBlock counts; };
 
+// The bounds are bound in pages: what this dispatch begins with.
+layout(location = 0) uniform uint first_chunk;
+layout(location = 1) uniform uint first_bounds;
+
 // Parts that appear larger than this are rasterised by their hulls, which cost more vertices and fewer pixels.
 const float hull_size_min_px = 24.0;
 
@@ -91,10 +95,10 @@ void draw(uint locator, Seen seen)
 
 void main()
 {
-    ChunkBlock chunk = chunks[gl_WorkGroupID.x];
+    ChunkBlock chunk = chunks[first_chunk + gl_WorkGroupID.x];
     vec3 from_eye = vec3(dvec3(chunk.x, chunk.y, chunk.z) - camera.eye.xyz);
     for (uint i = gl_LocalInvocationID.x; i < chunk.count; i += gl_WorkGroupSize.x) {
-        BoundsBlock box = bounds[chunk.first + i];
+        BoundsBlock box = bounds[chunk.first - first_bounds + i];
         if ((camera.layer_mask >> box.layer & 1u) == 0u) {
             continue;
         }

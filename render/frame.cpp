@@ -1,0 +1,157 @@
+// The passes of a frame, in their order.
+#include "render/frame.h"
+
+#include "scene/gpu_layout.h"
+
+namespace quartic {
+namespace {
+
+void bind_storage(int binding, const GlBuffer& buffer) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.name());
+}
+
+void cull(const SceneBuffers& scene, const GlProgram& program) {
+    glCopyNamedBufferSubData(scene.empty_commands.name(), scene.commands.name(), 0, 0,
+                             static_cast<GLsizeiptr>(scene.command_count * sizeof(gpu::Command)));
+    glClearNamedBufferData(scene.counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    glUseProgram(program.name());
+    bind_storage(gpu::binding_visible, scene.visible);
+    bind_storage(gpu::binding_near, scene.near_parts);
+    bind_storage(gpu::binding_commands, scene.commands);
+    bind_storage(gpu::binding_batches, scene.batches);
+    bind_storage(gpu::binding_counts, scene.counts);
+    for (const BoundsPage& page : scene.pages) {
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, gpu::binding_bounds, scene.bounds.name(),
+                          static_cast<GLintptr>(page.first_bounds * sizeof(gpu::BoundsBlock)),
+                          static_cast<GLsizeiptr>(page.bounds_count * sizeof(gpu::BoundsBlock)));
+        glUniform1ui(0, page.first_chunk);
+        glUniform1ui(1, page.first_bounds);
+        glDispatchCompute(page.chunk_count, 1, 1);
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+const void* command_offset(std::uint32_t command) {
+    return reinterpret_cast<const void*>(std::size_t{command} * sizeof(gpu::Command));
+}
+
+// Two commands of one multi-draw: small parts by their boxes, large ones by their hulls.
+void draw_fronts(const SceneBuffers& scene, bool transparent) {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    for (std::size_t i = 0; i < scene.draws.size(); ++i) {
+        const DrawBatch& batch = scene.draws[i];
+        if (batch.transparent != transparent || batch.type == ShapeType::mesh) {
+            continue;
+        }
+        glUseProgram(batch.front_program);
+        glUniform1ui(0, static_cast<GLuint>(i));
+        bind_storage(gpu::binding_records, batch.records);
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, command_offset(batch.first_command), 2,
+                                    sizeof(gpu::Command));
+    }
+}
+
+// Parts that the eye is in or the near plane cuts: their boxes' far faces cover them wherever the eye is.
+void draw_near(const SceneBuffers& scene, bool transparent) {
+    glCullFace(GL_FRONT);
+    for (std::size_t i = 0; i < scene.draws.size(); ++i) {
+        const DrawBatch& batch = scene.draws[i];
+        if (batch.transparent != transparent || batch.type == ShapeType::mesh) {
+            continue;
+        }
+        glUseProgram(batch.near_program);
+        glUniform1ui(0, static_cast<GLuint>(i));
+        bind_storage(gpu::binding_records, batch.records);
+        glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
+                               command_offset(batch.first_command + static_cast<unsigned>(gpu::command_near)));
+    }
+}
+
+void draw_meshes(const SceneBuffers& scene, bool transparent) {
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(scene.mesh_array.name());
+    for (const DrawBatch& batch : scene.draws) {
+        if (batch.transparent != transparent || batch.type != ShapeType::mesh) {
+            continue;
+        }
+        glUseProgram(batch.front_program);
+        bind_storage(gpu::binding_records, batch.records);
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, command_offset(batch.first_command),
+                                    static_cast<GLsizei>(batch.count), sizeof(gpu::Command));
+    }
+}
+
+void draw_parts(const SceneBuffers& scene, bool transparent) {
+    glBindVertexArray(scene.proxy_array.name());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, scene.commands.name());
+    draw_fronts(scene, transparent);
+    draw_near(scene, transparent);
+    draw_meshes(scene, transparent);
+}
+
+void clear(const Targets& targets) {
+    const GLuint no_part[4] = {gpu::no_part, 0, 0, 0};
+    const GLuint no_normal[4] = {};
+    const float farthest = 0.0f;
+    const float nothing[4] = {};
+    const float all_revealed[4] = {1.0f, 0.0f, 0.0f, 0.0f};
+    glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, no_part);
+    glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 1, no_normal);
+    glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
+    glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 0, nothing);
+    glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 1, all_revealed);
+}
+
+void draw_surfaces(const SceneBuffers& scene, const Targets& targets) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.surfaces.name());
+    draw_parts(scene, false);
+}
+
+void draw_translucent(const SceneBuffers& scene, const Targets& targets) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.blending.name());
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunci(0, GL_ONE, GL_ONE);
+    glBlendFunci(1, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
+    draw_parts(scene, true);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+}
+
+void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram& program, bool see_through) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.finished.name());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glUseProgram(program.name());
+    glUniform1i(0, see_through ? 1 : 0);
+    const GLuint pictures[] = {targets.parts.name(), targets.normals.name(), targets.depth.name(),
+                               targets.translucent.name(), targets.revealed.name()};
+    glBindTextures(0, 5, pictures);
+    glBindVertexArray(scene.proxy_array.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTextures(0, 5, nullptr);
+}
+
+}  // namespace
+
+void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs, GLuint camera,
+                bool transparent_background) {
+    glViewport(0, 0, targets.size.width, targets.size.height);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDepthFunc(GL_GREATER);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::binding_camera, camera);
+    bind_storage(gpu::binding_chunks, scene.chunks);
+    bind_storage(gpu::binding_part_materials, scene.part_materials);
+    bind_storage(gpu::binding_materials, scene.materials);
+
+    cull(scene, programs.cull);
+    clear(targets);
+    draw_surfaces(scene, targets);
+    draw_translucent(scene, targets);
+    resolve(scene, targets, programs.resolve, transparent_background);
+}
+
+}  // namespace quartic

@@ -1,0 +1,19 @@
+// One frame: a straight sequence of passes over plain buffers.
+#pragma once
+
+#include "render/renderer.h"
+#include "render/scene_buffers.h"
+#include "render/targets.h"
+
+namespace quartic {
+
+struct FramePrograms {
+    GlProgram cull;
+    GlProgram resolve;
+};
+
+// Draws the scene into the targets, from the camera in the buffer (gpu::CameraBlock).
+void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs, GLuint camera,
+                bool transparent_background);
+
+}  // namespace quartic

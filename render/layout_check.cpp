@@ -1,0 +1,24 @@
+// Sizes and offsets that C++ and the shaders must agree on; a test asks the GPU for its own.
+#include "scene/gpu_layout.h"
+#include "scene/pack.h"
+
+#include <cstddef>
+
+namespace quartic {
+
+static_assert(sizeof(gpu::Placement) == 32);
+static_assert(sizeof(gpu::ChunkBlock) == 32);
+static_assert(sizeof(gpu::BoundsBlock) == sizeof(PackedBounds));
+static_assert(offsetof(gpu::BoundsBlock, locator) == offsetof(PackedBounds, locator));
+static_assert(offsetof(gpu::BoundsBlock, layer) == offsetof(PackedBounds, layer));
+static_assert(sizeof(gpu::Command) == 32);
+static_assert(offsetof(gpu::CameraBlock, step) == 128);
+static_assert(offsetof(gpu::CameraBlock, orthographic) == 192);
+static_assert(sizeof(gpu::CameraBlock) == 224);
+
+// A record is a placement and a shape, 64 bytes at the most.
+#define SHAPE(id, Type, name) static_assert(sizeof(gpu::Placement) + sizeof(f32::Type) <= 64);
+#include "primitives/catalog.h"
+#undef SHAPE
+
+}  // namespace quartic

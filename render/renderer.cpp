@@ -1,0 +1,235 @@
+// The renderer: owns programs, buffers and targets, draws frames and reads them back.
+#include "render/renderer.h"
+
+#include "diagnostics/check.h"
+#include "render/frame.h"
+#include "render/program.h"
+#include "scene/gpu_layout.h"
+
+#include <cmath>
+#include <limits>
+
+namespace quartic {
+namespace {
+
+constexpr std::size_t gl_errors_max = 16;
+
+gpu::CameraBlock camera_block(const View& view, const RenderOptions& options, std::uint32_t part_count) {
+    gpu::CameraBlock block{};
+    block.eye = glm::dvec4(view.eye, 1.0);
+    block.right = glm::dvec4(view.right, 0.0);
+    block.up = glm::dvec4(view.up, 0.0);
+    block.back = glm::dvec4(view.back, 0.0);
+    block.step = view.step;
+    block.near_depth = view.near_m;
+    block.far_depth = view.far_m;
+    block.half_width = 0.5 * view.size.width;
+    block.half_height = 0.5 * view.size.height;
+    block.jitter_x = options.jitter_px.x;
+    block.jitter_y = options.jitter_px.y;
+    block.orthographic = view.projection == Projection::orthographic ? 1 : 0;
+    block.size_min_px = options.cull_size ? static_cast<float>(options.size_min_px) : 0.0f;
+    for (std::size_t i = 0; i < layer_count; ++i) {
+        block.layer_mask |= options.layers[i] ? 1u << i : 0u;
+    }
+    block.cull_frustum = options.cull_frustum ? 1u : 0u;
+    block.part_count = part_count;
+    block.selected = options.selected;
+    block.edges = options.edges ? 1u : 0u;
+    block.occlusion = options.occlusion ? 1u : 0u;
+    return block;
+}
+
+// As packed_normal in shaders/normals.glsl.
+glm::vec3 normal_from(std::uint32_t bits) {
+    const auto axis = [](std::uint32_t half) {
+        return std::max(static_cast<float>(static_cast<std::int16_t>(half)) / 32767.0f, -1.0f);
+    };
+    const glm::vec2 folded(axis(bits & 0xffff), axis(bits >> 16));
+    const float z = 1.0f - std::abs(folded.x) - std::abs(folded.y);
+    if (z >= 0.0f) {
+        return glm::normalize(glm::vec3(folded, z));
+    }
+    return glm::normalize(glm::vec3((1.0f - std::abs(folded.y)) * (folded.x >= 0.0f ? 1.0f : -1.0f),
+                                    (1.0f - std::abs(folded.x)) * (folded.y >= 0.0f ? 1.0f : -1.0f), z));
+}
+
+}  // namespace
+
+struct Renderer::State {
+    Proxies proxies;
+    FramePrograms programs;
+    SceneBuffers scene;
+    Targets targets;
+    GlBuffer camera;
+    View view{};
+    std::vector<std::string> gl_errors;
+
+    void collect_errors(const char* where) {
+        for (GLenum error = glGetError(); error != GL_NO_ERROR && gl_errors.size() < gl_errors_max;
+             error = glGetError()) {
+            gl_errors.push_back(std::string(where) + ": GL error " + std::to_string(error));
+        }
+    }
+
+    Result<GLuint> program_of(const Batch& batch, Pass pass) {
+        const auto key = std::tuple(static_cast<int>(batch.type), batch.solver, batch.hull_rings, batch.transparent,
+                                    static_cast<int>(pass));
+        const auto known = scene.programs.find(key);
+        if (known != scene.programs.end()) {
+            return known->second.name();
+        }
+        Result<GlProgram> program = make_program(
+            program_text({batch.type, batch.solver, batch.hull_rings, batch.transparent, pass}),
+            std::string(name(batch.type)));
+        if (!program) {
+            return program.error();
+        }
+        const GLuint made = program.value().name();
+        scene.programs[key] = std::move(program).value();
+        return made;
+    }
+};
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<Renderer> Renderer::create() {
+    auto state = std::make_unique<State>();
+    Result<GlProgram> cull = make_compute_program(cull_text(), "cull");
+    if (!cull) {
+        return cull.error();
+    }
+    Result<GlProgram> resolve = make_program(resolve_text(), "resolve");
+    if (!resolve) {
+        return resolve.error();
+    }
+    state->programs = {std::move(cull).value(), std::move(resolve).value()};
+    state->proxies = make_proxies();
+    state->camera = make_empty_buffer(sizeof(gpu::CameraBlock), GL_DYNAMIC_STORAGE_BIT);
+    state->scene = upload(Packed{{}, {}, {}, {}, {}, {}, {}, {glm::vec4(1.0f)}, {}}, state->proxies);
+    state->collect_errors("create");
+    return Renderer(std::move(state));
+}
+
+Status Renderer::load(const Packed& packed) {
+    SceneBuffers scene = upload(packed, state_->proxies);
+    scene.programs = std::move(state_->scene.programs);
+    state_->scene = std::move(scene);
+    for (std::size_t i = 0; i < packed.batches.size(); ++i) {
+        const Batch& batch = packed.batches[i];
+        Result<GLuint> front = state_->program_of(batch, Pass::front);
+        if (!front) {
+            return front.error();
+        }
+        state_->scene.draws[i].front_program = front.value();
+        if (batch.type != ShapeType::mesh) {
+            Result<GLuint> near = state_->program_of(batch, Pass::near);
+            if (!near) {
+                return near.error();
+            }
+            state_->scene.draws[i].near_program = near.value();
+        }
+    }
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        return Error{ErrorKind::no_opengl, "", "the scene does not fit into the GPU's memory"};
+    }
+    state_->collect_errors("load");
+    return Done{};
+}
+
+Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions& options) {
+    if (size.width < 1 || size.height < 1 || size.width > 16384 || size.height > 16384) {
+        return Error{ErrorKind::usage, "", "expected a picture of 1x1 to 16384x16384 pixels"};
+    }
+    if (state_->targets.size.width != size.width || state_->targets.size.height != size.height) {
+        state_->targets = make_targets(size);
+    }
+    state_->view = make_view(camera, size);
+    const gpu::CameraBlock block = camera_block(state_->view, options, state_->scene.part_count);
+    glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
+    draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
+               options.transparent_background);
+    state_->collect_errors("draw");
+    return Done{};
+}
+
+void Renderer::finish() {
+    glFinish();
+}
+
+void Renderer::present(unsigned framebuffer, PixelSize window_size) {
+    const PixelSize size = state_->targets.size;
+    glBlitNamedFramebuffer(state_->targets.finished.name(), framebuffer, 0, 0, size.width, size.height, 0, 0,
+                           window_size.width, window_size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    state_->collect_errors("present");
+}
+
+std::uint32_t Renderer::part_at(int x, int y) {
+    std::uint32_t part = no_index;
+    const PixelSize size = state_->targets.size;
+    if (x >= 0 && y >= 0 && x < size.width && y < size.height) {
+        glGetTextureSubImage(state_->targets.parts.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                             sizeof(part), &part);
+    }
+    state_->collect_errors("part_at");
+    return part;
+}
+
+std::optional<double> Renderer::depth_at(int x, int y) {
+    float value = 0.0f;
+    const PixelSize size = state_->targets.size;
+    if (x >= 0 && y >= 0 && x < size.width && y < size.height) {
+        glGetTextureSubImage(state_->targets.depth.name(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                             sizeof(value), &value);
+    }
+    state_->collect_errors("depth_at");
+    return value > 0.0f ? std::optional(depth_from_buffer(state_->view, static_cast<double>(value))) : std::nullopt;
+}
+
+GBuffer Renderer::read() {
+    const Targets& targets = state_->targets;
+    const auto pixels = static_cast<std::size_t>(targets.size.width) * static_cast<std::size_t>(targets.size.height);
+    const auto bytes = static_cast<GLsizei>(4 * pixels);
+    GBuffer picture;
+    picture.size = targets.size;
+    picture.ids.resize(pixels);
+    picture.depth_m.resize(pixels);
+    picture.colours.resize(4 * pixels);
+    std::vector<std::uint32_t> normals(pixels);
+    glGetTextureImage(targets.parts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, picture.ids.data());
+    glGetTextureImage(targets.normals.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, normals.data());
+    glGetTextureImage(targets.depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, picture.depth_m.data());
+    glGetTextureImage(targets.colours.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes, picture.colours.data());
+    picture.normals.reserve(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        float& depth = picture.depth_m[i];
+        const bool empty = picture.ids[i] == no_index;
+        const glm::vec3 normal = normal_from(normals[i]);
+        picture.normals.push_back(normal);
+        picture.nan_pixels += !std::isfinite(depth) || !std::isfinite(normal.x + normal.y + normal.z);
+        depth = empty ? std::numeric_limits<float>::infinity()
+                      : static_cast<float>(depth_from_buffer(state_->view, static_cast<double>(depth)));
+    }
+    state_->collect_errors("read");
+    return picture;
+}
+
+FrameCounts Renderer::counts() {
+    gpu::CountsBlock block{};
+    glGetNamedBufferSubData(state_->scene.counts.name(), 0, sizeof(block), &block);
+    state_->collect_errors("counts");
+    return {block.drawn, block.culled_by_frustum, block.culled_by_size};
+}
+
+std::uint64_t Renderer::gpu_bytes() const {
+    return state_->scene.bytes;
+}
+
+const std::vector<std::string>& Renderer::gl_errors() const {
+    return state_->gl_errors;
+}
+
+}  // namespace quartic

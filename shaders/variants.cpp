@@ -1,0 +1,79 @@
+// Puts together the texts of all programs.
+#include "shaders/variants.h"
+
+#include "shaders/source.h"
+#include "solvers/solver_table.h"
+
+namespace quartic {
+namespace {
+
+std::string_view glsl_type(ShapeType type) {
+    switch (type) {
+#define SHAPE(id, Type, name) \
+    case ShapeType::name: return #Type;
+#include "primitives/catalog.h"
+#undef SHAPE
+        case ShapeType::mesh: break;
+    }
+    return "";
+}
+
+std::string defines_of(const PrimitiveVariant& variant) {
+    std::string defines;
+    if (variant.transparent) {
+        defines += "#define TRANSPARENT\n";
+    }
+    if (variant.type == ShapeType::mesh) {
+        return defines;
+    }
+    if (variant.pass == Pass::near) {
+        defines += "#define NEAR\n";
+    }
+    defines += "#define THIS_SHAPE " + std::string(glsl_type(variant.type)) + "\n";
+    defines += "#define THIS_SOLVER " + std::to_string(variant.solver) + "\n";
+    defines += "#define HULL_RINGS " + std::to_string(variant.hull_rings) + "\n";
+    return defines;
+}
+
+}  // namespace
+
+ProgramText program_text(const PrimitiveVariant& variant) {
+    const std::string stem = variant.type == ShapeType::mesh ? "shaders/mesh" : "shaders/primitive";
+    const std::string defines = defines_of(variant);
+    return {shader_source(stem + ".vert", defines), shader_source(stem + ".frag", defines)};
+}
+
+ProgramText resolve_text() {
+    return {shader_source("shaders/full_screen.vert", ""), shader_source("shaders/resolve.frag", "")};
+}
+
+std::string cull_text() {
+    return shader_source("shaders/cull.comp", "");
+}
+
+std::vector<NamedText> all_shader_texts() {
+    std::vector<NamedText> texts;
+    const auto add = [&](const std::string& name, const PrimitiveVariant& variant) {
+        const ProgramText text = program_text(variant);
+        texts.push_back({name + ".vert", text.vertex});
+        texts.push_back({name + ".frag", text.fragment});
+    };
+    for (const bool transparent : {false, true}) {
+        const std::string suffix = transparent ? "-transparent" : "";
+        add("mesh" + suffix, {ShapeType::mesh, 0, 2, transparent, Pass::front});
+        for (const ShapeRow& shape : shape_table()) {
+            for (const SolverRow& solver : solver_table()) {
+                const std::string name = std::string(shape.name) + "-" + std::to_string(solver.id) + suffix;
+                add(name + "-front", {shape.type, solver.id, 4, transparent, Pass::front});
+                add(name + "-near", {shape.type, solver.id, 4, transparent, Pass::near});
+            }
+        }
+    }
+    const ProgramText resolve = resolve_text();
+    texts.push_back({"resolve.vert", resolve.vertex});
+    texts.push_back({"resolve.frag", resolve.fragment});
+    texts.push_back({"cull.comp", cull_text()});
+    return texts;
+}
+
+}  // namespace quartic
