@@ -8,12 +8,31 @@ struct Sector
     Span part_1;  // empty up to half a turn
 };
 
+// The end whose plane a point of it belongs to, as a face; at half a turn both ends lie in one plane.
+int face_of_end(vec2 p, real arc)
+{
+    return dot(p, vec2(real(1) - cos(arc), -sin(arc))) >= real(0) ? 1 : 2;
+}
+
+// The span with the faces of the ends that its limits lie on.
+Span with_end_faces(Span span, vec3 o, vec3 d, real arc)
+{
+    if (span.enter > -huge) {
+        span.enter_face = face_of_end(vec2(o + span.enter * d), arc);
+    }
+    if (span.exit < huge) {
+        span.exit_face = face_of_end(vec2(o + span.exit * d), arc);
+    }
+    return span;
+}
+
 Sector in_sector(vec3 o, vec3 d, real arc, real overlap_0, real overlap_1)
 {
     Sector sector;
     sector.part_0 = whole_line();
     sector.part_1 = empty_span();
-    if (arc >= real(2) * pi()) {
+    real widened = arc + overlap_0 + overlap_1;
+    if (widened >= real(2) * pi()) {
         return sector;
     }
     // Inward normals of the end planes.
@@ -23,14 +42,16 @@ Sector in_sector(vec3 o, vec3 d, real arc, real overlap_0, real overlap_1)
     real depth_1 = dot(n_1, vec2(o));
     real rate_0 = dot(n_0, vec2(d));
     real rate_1 = dot(n_1, vec2(d));
-    if (arc <= pi()) {
+    if (widened <= pi()) {
         sector.part_0 = below_plane(sector.part_0, depth_0, rate_0, 1);
         sector.part_0 = below_plane(sector.part_0, depth_1, rate_1, 2);
+        sector.part_0 = with_end_faces(sector.part_0, o, d, arc);
         return sector;
     }
     Span gap = below_plane(whole_line(), -depth_0, -rate_0, 1);
     gap = below_plane(gap, -depth_1, -rate_1, 2);
     if (gap.enter < gap.exit) {
+        gap = with_end_faces(gap, o, d, arc);
         sector.part_0 = between(whole_line(), -huge, gap.enter, gap.enter_face);
         sector.part_1 = between(whole_line(), gap.exit, huge, gap.exit_face);
     }

@@ -112,12 +112,20 @@ Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
         real w = rho - torus.bend_radius;
         real rho_slope = dot(vec2(q), vec2(v)) / rho;
         real bending = (v.x * v.x + v.y * v.y - rho_slope * rho_slope) / rho;
-        real a = max(real(1e-6), rho_slope * rho_slope + w * bending + v.z * v.z);
+        real a = rho_slope * rho_slope + w * bending + v.z * v.z;  // negative along the inner side of the bend
         real b = w * rho_slope + q.z * v.z;
         real distance = sqrt(w * w + q.z * q.z);
         real c = (distance - torus.radius) * (distance + torus.radius);
         real discriminant = b * b - a * c;
-        real change = (side * sqrt(max(real(0), discriminant)) - b) / a;
+        real root_slope = side * sqrt(max(real(0), discriminant));
+        // The form whose terms do not cancel; it needs no a where a vanishes.
+        real divisor = b * side >= real(0) ? b + root_slope : a;
+        real dividend = b * side >= real(0) ? -c : root_slope - b;
+        if (discriminant < real(0)) {
+            dividend = -b;
+            divisor = a;
+        }
+        real change = dividend / (divisor == real(0) ? real(1) : divisor);
         root.t = root.t + clamp(change, -torus.radius, torus.radius);
         root.found = discriminant >= real(0) && abs(change) < last_step() * torus.radius;
     }
@@ -134,7 +142,13 @@ bool lies_in(Root root, real low, real high)
     return root.found && root.t >= low && root.t <= high;
 }
 
-// A line passes through a tube at most twice; the third visit is for a start that only grazed it.
+// By how much the float quartic may misplace the wall of a thin tube.
+real quartic_slack(Torus torus)
+{
+    return real(2) * rounding() * torus.bend_radius * torus.bend_radius / torus.radius;
+}
+
+// A line passes through a tube at most twice; one visit more for a start in the slack.
 const int torus_visits_max = 3;
 
 // The wall's first crossing in [low, high] of the line p + t v for a tube so thin that the float32 quartic errs by a
@@ -142,12 +156,14 @@ const int torus_visits_max = 3;
 Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
 {
     real tolerance = last_step() * torus.radius;
-    real slack = real(2) * rounding() * torus.bend_radius * torus.bend_radius / torus.radius;
-    Quartic f = torus_quartic(torus.bend_radius, torus.radius + slack, p, v);
+    real skip = real(0.05) * torus.radius;  // over the rounding at a root; visits this short touch nothing
+    Quartic f = torus_quartic(torus.bend_radius, torus.radius + quartic_slack(torus), p, v);
     bool inside = is_inside(torus, p + low * v);
     real from = low;
     Root root;
-    for (int visit = 0; visit < torus_visits_max; ++visit) {
+    root.found = false;
+    root.t = low;
+    for (int visit = 0; visit < torus_visits_max && !root.found; ++visit) {
         if (!inside) {
             Root way_in;
             way_in.found = true;
@@ -155,27 +171,27 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
             if (quartic_value(f, from) >= real(0)) {
                 way_in = first_root(f, from, high, tolerance, solver);
             }
-            root = way_in;
             if (!way_in.found) {
-                break;
+                return root;
             }
             root = polish(torus, p, v, way_in.t, real(-1));
-            if (lies_in(root, low, high)) {
-                break;
+            root.found = lies_in(root, low, high);
+            from = way_in.t + skip;
+        }
+        if (!root.found && (inside || quartic_value(f, from) < real(0))) {
+            Root way_out = first_root(f, from, high, tolerance, solver);
+            real last = way_out.found ? way_out.t : high;
+            if (inside) {
+                root = polish(torus, p, v, last, real(1));
+                root.found = lies_in(root, low, high);
+                inside = false;
             }
-            from = way_in.t + tolerance;
+            from = last + skip;
         }
-        Root way_out = first_root(f, from, high, tolerance, solver);
-        root = polish(torus, p, v, way_out.found ? way_out.t : high, real(1));
-        if ((inside && lies_in(root, low, high)) || !way_out.found) {
-            root.found = root.found && inside;
-            break;
+        if (from >= high) {
+            return root;
         }
-        inside = false;
-        root.found = false;
-        from = way_out.t + tolerance;
     }
-    root.found = lies_in(root, low, high);
     return root;
 }
 
@@ -224,7 +240,7 @@ Hit hit(Torus torus, Ray ray, int open_ends, int solver)
     line.origin = ray.origin - shift * line.direction;
     line.first = ray.first * speed + shift;
 
-    real outer = torus.bend_radius + torus.radius;
+    real outer = torus.bend_radius + torus.radius + quartic_slack(torus);
     real room = outer * outer - dot(line.origin, line.origin);
     if (room < real(0)) {
         return miss();

@@ -63,6 +63,7 @@ struct Renderer::State {
     Targets targets;
     GlBuffer camera;
     View view{};
+    Box3 box;  // of all parts
     std::vector<std::string> gl_errors;
 
     void collect_errors(const char* where) {
@@ -118,6 +119,7 @@ Status Renderer::load(const Packed& packed) {
     SceneBuffers scene = upload(packed, state_->proxies);
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
+    state_->box = packed.box;
     for (std::size_t i = 0; i < packed.batches.size(); ++i) {
         const Batch& batch = packed.batches[i];
         Result<GLuint> front = state_->program_of(batch, Pass::front);
@@ -148,6 +150,11 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
         state_->targets = make_targets(size);
     }
     state_->view = make_view(camera, size);
+    if (!state_->box.empty()) {
+        const double farthest = depth_range(state_->box, camera.eye, -state_->view.back)[1];
+        const double slack = 1e-3 * glm::length(state_->box.high - state_->box.low);
+        state_->view.far_m = std::max(farthest, camera.near_m) + slack;
+    }
     const gpu::CameraBlock block = camera_block(state_->view, options, state_->scene.part_count);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),

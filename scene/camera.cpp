@@ -45,18 +45,6 @@ std::optional<std::array<double, 9>> parse_numbers(std::string_view text) {
     return at == end ? std::optional(numbers) : std::nullopt;
 }
 
-// Depth range of a box seen from a view.
-std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward) {
-    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                           (corner & 4) != 0 ? box.high.z : box.low.z);
-        const double depth = glm::dot(p - eye, forward);
-        range = {std::min(range[0], depth), std::max(range[1], depth)};
-    }
-    return range;
-}
-
 }  // namespace
 
 View make_view(const Camera& camera, PixelSize size) {
@@ -69,7 +57,7 @@ View make_view(const Camera& camera, PixelSize size) {
     const double height = camera.projection == Projection::perspective ? 2.0 * std::tan(0.5 * camera.fov_y)
                                                                        : camera.height_m;
     return {camera.eye,    right,         glm::cross(right, forward), -forward, camera.projection,
-            height / size.height, camera.near_m, camera.far_m,               size};
+            height / size.height, camera.near_m, camera.near_m + 1.0,        size};
 }
 
 f64::Ray pixel_ray(const View& view, double x, double y) {
@@ -97,6 +85,17 @@ double buffer_depth(const View& view, double depth_m) {
 double depth_from_buffer(const View& view, double buffer_depth) {
     return view.projection == Projection::perspective ? view.near_m / buffer_depth
                                                       : view.far_m - buffer_depth * (view.far_m - view.near_m);
+}
+
+std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward) {
+    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                           (corner & 4) != 0 ? box.high.z : box.low.z);
+        const double depth = glm::dot(p - eye, forward);
+        range = {std::min(range[0], depth), std::max(range[1], depth)};
+    }
+    return range;
 }
 
 Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up, const Camera& like,
@@ -132,7 +131,6 @@ Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3
         camera.near_m = std::max(0.5 * range[0], 1e-4 * extent);
     } else {
         camera.near_m = range[0] - 0.05 * extent;
-        camera.far_m = range[1] + 0.05 * extent;
     }
     return camera;
 }
@@ -158,12 +156,8 @@ std::optional<Camera> find_camera(std::string_view text, const Box3& box, const 
     }
     camera.height_m = 2.0 * distance * std::tan(0.5 * camera.fov_y);
     camera.near_m = 1e-3 * distance;
-    if (camera.projection == Projection::orthographic && !box.empty()) {
-        const double extent = glm::length(box.high - box.low);
-        const std::array<double, 2> range =
-            depth_range(box, camera.eye, glm::normalize(camera.target - camera.eye));
-        camera.near_m = std::max(range[0] - 0.05 * extent, 0.0);
-        camera.far_m = std::max(range[1] + 0.05 * extent, camera.near_m + extent);
+    if (camera.projection == Projection::orthographic) {
+        camera.near_m = 0.0;
     }
     return camera;
 }

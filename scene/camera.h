@@ -18,7 +18,6 @@ struct Camera {
     double fov_y = 0.6;     // radians, perspective
     double height_m = 1.0;  // of the picture, orthographic
     double near_m = 0.01;   // depth of the near plane; > 0 in perspective, any number in orthographic
-    double far_m = 1e4;     // orthographic only: perspective sees to infinity
 };
 
 struct PixelSize {
@@ -38,7 +37,7 @@ struct View {
     Projection projection;
     double step;  // of a pixel: tangent (perspective) or metres (orthographic)
     double near_m;
-    double far_m;
+    double far_m;  // depth of the farthest thing, which orthographic depth buffers need; perspective sees to infinity
     PixelSize size;
 };
 
@@ -53,6 +52,9 @@ glm::dvec3 project(const View& view, const glm::dvec3& world);
 // Depth as the depth buffer holds it (reversed: 1 at the near plane, 0 farthest), and back.
 double buffer_depth(const View& view, double depth_m);
 double depth_from_buffer(const View& view, double buffer_depth);
+
+// The least and the greatest depth of a box for an eye that looks along forward (unit).
+std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward);
 
 // Looks along a direction at the middle of a box, so that all of it is in the picture.
 Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up, const Camera& like,
