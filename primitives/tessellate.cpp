@@ -106,18 +106,34 @@ int count_steps(const Patch<Shape>& patch, const Direction& direction, double sa
     return enough ? fewer : steps;
 }
 
-// The normal just inside the patch: at poles and tips one derivative vanishes on the border itself.
+// du x dv just inside the patch: at poles and tips one derivative vanishes on the border itself.
+// Zero where one vanishes inside too.
 template <class Shape>
-glm::dvec3 normal_at(const Patch<Shape>& patch, double u, double v) {
+glm::dvec3 cross_of_derivatives(const Patch<Shape>& patch, double u, double v) {
     const double h = difference;
     const double in_u = std::clamp(u, h, 1.0 - h);
     const double in_v = std::clamp(v, h, 1.0 - h);
     const glm::dvec3 along_u = patch.at(in_u + h, in_v) - patch.at(in_u - h, in_v);
     const glm::dvec3 along_v = patch.at(in_u, in_v + h) - patch.at(in_u, in_v - h);
-    const double product = glm::length(along_u) * glm::length(along_v);
+    const double length_u = glm::length(along_u);
+    const double length_v = glm::length(along_v);
     const glm::dvec3 normal = glm::cross(along_u, along_v);
-    return product > 0.0 && glm::length(normal) > 1e-9 * product ? glm::normalize(normal)
-                                                                 : glm::dvec3(0.0, 0.0, 1.0);
+    const bool sound = std::min(length_u, length_v) > 1e-8 * std::max(length_u, length_v) &&
+                       glm::length(normal) > 1e-9 * length_u * length_v;
+    return sound ? glm::normalize(normal) : glm::dvec3(0.0);
+}
+
+template <class Shape>
+glm::dvec3 normal_at(const Patch<Shape>& patch, double u, double v) {
+    // A torus of R = r has a singular point in the middle of its patch: its neighbour's normal must
+    // do.
+    for (const double aside : {0.0, 1e-4, 1e-2}) {
+        const glm::dvec3 normal = cross_of_derivatives(patch, u, v < 0.75 ? v + aside : v - aside);
+        if (normal != glm::dvec3(0.0)) {
+            return normal;
+        }
+    }
+    return {0.0, 0.0, 1.0};
 }
 
 bool is_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
