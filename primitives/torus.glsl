@@ -77,11 +77,17 @@ Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
 {
     real bend2 = bend_radius * bend_radius;
     real radius2 = radius * radius;
-    real k = dot(p, p) - bend2 - radius2;
+    real q = dot(p, p);
+    real k = q - bend2 - radius2;
     Quartic f;
     f.c = real(2) * k + real(4) * bend2 * v.z * v.z;
     f.d = real(8) * bend2 * p.z * v.z;
     f.e = k * k + real(4) * bend2 * (p.z * p.z - radius2);
+    // Near the axis of a fat torus the other way to write the constant term subtracts smaller numbers.
+    real m = q + bend2 - radius2;
+    if (m * m + real(4) * bend2 * q < k * k + real(4) * bend2 * radius2) {
+        f.e = m * m - real(4) * bend2 * (p.x * p.x + p.y * p.y);
+    }
     return f;
 }
 
@@ -200,8 +206,10 @@ Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
     if (torus.bend_radius > real(2) * torus.radius) {
         return first_thin_root(torus, p, v, low, high, solver);
     }
-    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high,
-                      last_step() * torus.radius, solver);
+    // Where the tube nearly meets the axis it bends far more sharply than its radius says.
+    real sharpest = clamp(length(p), real(0.001) * torus.radius, torus.radius);
+    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high, last_step() * sharpest,
+                      solver);
 }
 
 // The first crossing with what lies in [low, high] between two cuts, the end planes where they cut: cap, wall, cap.
