@@ -1,0 +1,103 @@
+// Loads models and shows how far they are.
+#include "cli/model.h"
+
+#include "cli/signals.h"
+#include "importers/load.h"
+#include "scene/joints.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace quartic::cli {
+namespace {
+
+constexpr int bar_width = 40;
+
+enum class Display { none, bar, json };
+
+Display chosen_display(const Reporting& reporting) {
+    if (reporting.progress == "json") {
+        return Display::json;
+    }
+    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    return terminal && !reporting.quiet && reporting.progress == "auto" ? Display::bar
+                                                                        : Display::none;
+}
+
+// Prints only when the percentage changes.
+class ProgressDisplay {
+public:
+    explicit ProgressDisplay(Display display) : display_(display) {}
+    ~ProgressDisplay() {
+        if (display_ == Display::bar && percent_ >= 0) {
+            std::fprintf(stderr, "\r\033[K");
+        }
+    }
+    ProgressDisplay(const ProgressDisplay&) = delete;
+    ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+    void show(double fraction) {
+        const int percent = static_cast<int>(100.0 * fraction);
+        if (percent == percent_) {
+            return;
+        }
+        percent_ = percent;
+        if (display_ == Display::json) {
+            std::fprintf(stderr, "{\"progress\": %.2f}\n", fraction);
+        } else if (display_ == Display::bar) {
+            const int full = bar_width * percent / 100;
+            std::fprintf(
+                stderr, "\r[%s%s] %3d %%", std::string(static_cast<std::size_t>(full), '#').c_str(),
+                std::string(static_cast<std::size_t>(bar_width - full), ' ').c_str(), percent);
+        }
+    }
+
+private:
+    Display display_;
+    int percent_ = -1;
+};
+
+}  // namespace
+
+Moment now() {
+    return std::chrono::steady_clock::now();
+}
+
+double elapsed_ms(Moment since) {
+    return std::chrono::duration<double, std::milli>(now() - since).count();
+}
+
+Result<Model> load_model(const std::string& path, const Reporting& reporting) {
+    set_time_limit(reporting.time_limit_s);
+    const Moment start = now();
+    ProgressDisplay display(chosen_display(reporting));
+    Progress* progress_in_use = nullptr;
+    Progress progress([&](double fraction) {
+        display.show(fraction);
+        if (is_interrupted()) {
+            progress_in_use->cancel();
+        }
+    });
+    progress_in_use = &progress;
+    Result<Scene> scene = load_scene(path, {}, progress);
+    if (!scene) {
+        return scene.error();
+    }
+    Model model{path, std::move(scene).value(), 0.0};
+    model.load_ms = elapsed_ms(start);
+    find_joints(model.scene);
+    return model;
+}
+
+Result<Model> load_only_model(const std::vector<std::string>& paths, const Reporting& reporting) {
+    if (paths.size() != 1) {
+        return Error{ErrorKind::usage, paths.empty() ? std::string() : paths[1],
+                     "expected one model, found " + std::to_string(paths.size()) +
+                         "; models cannot be drawn together yet: name one"};
+    }
+    return load_model(paths.front(), reporting);
+}
+
+}  // namespace quartic::cli

@@ -1,0 +1,30 @@
+// A model from a file, ready to be drawn or counted.
+#pragma once
+
+#include "cli/report.h"
+#include "scene/scene.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace quartic::cli {
+
+struct Model {
+    std::string path;
+    Scene scene;  // its joints are found
+    double load_ms = 0.0;
+};
+
+// Shows progress as the options say. Interrupted if a signal came.
+Result<Model> load_model(const std::string& path, const Reporting& reporting);
+
+// As load_model, for verbs that draw one model: an error of usage if there are several.
+Result<Model> load_only_model(const std::vector<std::string>& paths, const Reporting& reporting);
+
+// Milliseconds since a moment, by the wall's clock.
+using Moment = std::chrono::steady_clock::time_point;
+Moment now();
+double elapsed_ms(Moment since);
+
+}  // namespace quartic::cli

@@ -1,0 +1,93 @@
+// Files that are missing, empty, foreign, damaged, or cannot be written.
+#include "tests/cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+namespace quartic {
+namespace {
+
+void expect_one_line(const Answer& run, int code, const std::string& part) {
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(count_lines(run.err), 1u) << run.err;
+    EXPECT_TRUE(run.err.starts_with("quartic: ")) << run.err;
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+}
+
+TEST(Files, empty_model_is_bad) {
+    const TemporaryFolder folder;
+    const std::string model = folder.write("empty.rvm", "");
+    expect_one_line(run_quartic({"info", model, "--json"}), 1, "empty.rvm");
+    expect_one_line(run_quartic({"render", model, "-o", folder.path("a.png")}), 1, "empty.rvm");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"empty.rvm"});
+}
+
+TEST(Files, foreign_bytes_are_bad) {
+    const TemporaryFolder folder;
+    const std::string model = folder.write("a.rvm", "This is no model, whatever its name says.");
+    expect_one_line(run_quartic({"info", model}), 1, "a.rvm");
+}
+
+TEST(Files, missing_model_cannot_be_read) {
+    expect_one_line(run_quartic({"info", "/nowhere/a.rvm"}), 4, "/nowhere/a.rvm");
+}
+
+TEST(Files, folder_is_no_model) {
+    expect_one_line(run_quartic({"info", "/"}), 4, "directory");
+}
+
+TEST(Files, name_with_line_breaks_still_makes_one_line) {
+    expect_one_line(run_quartic({"info", "/nowhere/a\nb.rvm"}), 4, "/nowhere/a b.rvm");
+}
+
+TEST(Files, output_in_a_missing_folder_cannot_be_written) {
+    const TemporaryFolder folder;
+    const std::string output = folder.path("missing/a.rvm");
+    expect_one_line(run_quartic({"generate", "tori", "--count", "3", "-o", output}), 4, output);
+}
+
+TEST(Files, folder_is_no_output) {
+    const TemporaryFolder folder;
+    expect_one_line(run_quartic({"generate", "tori", "--count", "3", "-o", folder.path(".")}), 4,
+                    "regular file");
+}
+
+TEST(Files, old_output_stays_when_the_work_fails) {
+    const TemporaryFolder folder;
+    const std::string model = folder.write("bad.rvm", "not a model");
+    const std::string output = folder.write("old.png", "old");
+    EXPECT_EQ(run_quartic({"render", model, "-o", output}).code, 1);
+    EXPECT_EQ(read_bytes(output), "old");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"bad.rvm", "old.png"}));
+}
+
+TEST(Files, several_models_cannot_be_drawn_together) {
+    expect_one_line(run_quartic({"render", "a.rvm", "b.rvm", "-o", "a.png"}), 2, "name one");
+}
+
+TEST(Files, no_usable_opengl_has_its_own_exit_code) {
+    const TemporaryFolder folder;
+    const std::string model = folder.path("tori.rvm");
+    ASSERT_EQ(run_quartic({"generate", "tori", "--count", "3", "-o", model, "--quiet"}).code, 0);
+    const Environment none{{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json"}};
+    const Answer run = run_quartic({"render", model, "-o", folder.path("a.png")}, none);
+    expect_one_line(run, 5, "OpenGL");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"tori.rvm"});
+}
+
+TEST(Files, reference_needs_no_opengl) {
+    const TemporaryFolder folder;
+    const std::string model = folder.path("tori.rvm");
+    ASSERT_EQ(run_quartic({"generate", "tori", "--count", "3", "-o", model, "--quiet"}).code, 0);
+    const Environment none{{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json"}};
+    const std::string output = folder.path("a.png");
+    const Answer run = run_quartic(
+        {"render", model, "-o", output, "--size", "40x30", "--device", "reference", "--quiet"},
+        none);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_TRUE(read_bytes(output).starts_with("\x89PNG"));
+}
+
+}  // namespace
+}  // namespace quartic
