@@ -1,4 +1,4 @@
-// quartic bench: measures this machine; numbers, not verdicts.
+// The verb bench: measures this machine; numbers, not verdicts.
 #include "bench/load.h"
 
 #include "cli/arguments.h"

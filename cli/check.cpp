@@ -1,4 +1,4 @@
-// quartic check: every pixel of the GPU's pictures against rays cast in double precision.
+// The verb check: every pixel of the GPU's pictures against rays cast in double precision.
 #include "cli/arguments.h"
 #include "cli/model.h"
 #include "cli/signals.h"

@@ -1,4 +1,4 @@
-// quartic info: what is in a model.
+// The verb info: what is in a model.
 #include "cli/arguments.h"
 #include "cli/model.h"
 #include "cli/verbs.h"

@@ -1,4 +1,4 @@
-// quartic render: one picture of a model, without a window.
+// The verb render: one picture of a model, without a window.
 #include "cli/arguments.h"
 #include "cli/exr.h"
 #include "cli/model.h"

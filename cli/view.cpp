@@ -1,4 +1,4 @@
-// quartic view: opens a window.
+// The verb view: opens a window.
 #include "cli/arguments.h"
 #include "cli/verbs.h"
 

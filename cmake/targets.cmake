@@ -18,8 +18,8 @@ function(quartic_settings target scope)
         -Wsign-conversion -Wdouble-promotion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
         $<$<BOOL:${QUARTIC_WARNINGS_AS_ERRORS}>:-Werror>)
     if(QUARTIC_SANITIZE)
-        target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all
-            -fno-omit-frame-pointer)
+        target_compile_options(${target} PUBLIC -fsanitize=address,undefined
+            -fno-sanitize-recover=all -fno-omit-frame-pointer)
         target_link_options(${target} PUBLIC -fsanitize=address,undefined)
     endif()
 endfunction()
@@ -33,7 +33,8 @@ function(quartic_library name)
     target_link_libraries(quartic_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
 endfunction()
 
-# quartic_test(name SOURCES a.cpp ... LINKS target ... [LABELS gpu]): one GoogleTest program, one ctest entry a case.
+# quartic_test(name SOURCES a.cpp ... LINKS target ... [LABELS gpu]): one GoogleTest program, one
+# ctest entry a case.
 function(quartic_test name)
     cmake_parse_arguments(arg "" "" "SOURCES;LINKS;LABELS" ${ARGN})
     add_executable(test_${name} ${arg_SOURCES})

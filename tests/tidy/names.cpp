@@ -110,7 +110,7 @@ public:
         return false;
     }
     bool is_module(std::string_view path) const {
-        return anywhere_in_cmake_.contains(std::string(stem_of(path)));
+        return is_named(path) || anywhere_in_cmake_.contains(std::string(stem_of(path)));
     }
     bool is_in_a_page(std::string_view path) const {
         return std::any_of(markdown_.begin(), markdown_.end(), [&](const auto* page) {
