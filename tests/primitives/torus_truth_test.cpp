@@ -213,7 +213,7 @@ Score run_all(double distance) {
         for (const double arc_deg : arcs_deg) {
             const Long arc = arc_deg == 360.0 ? turn : Long(arc_deg) * turn / 360.0L;
             const Ring ring{Long(Real(0.1 * ratio)), Long(Real(0.1)), Long(Real(arc))};
-            const Score score = run<Real>(ring, distance, ratio > 50.0 ? 60 : 150);
+            const Score score = run<Real>(ring, distance, ratio > 50.0 ? 25 : 80);
             if (score.missed + score.falsely + score.elsewhere > 0) {
                 std::printf("R/r %g arc %g: missed %ld false %ld elsewhere %ld\n", ratio, arc_deg,
                             score.missed, score.falsely, score.elsewhere);
@@ -240,7 +240,7 @@ constexpr Long error_max = sizeof(Real) == 4 ? 0.1L : 1e-5L;
 template <class Real>
 void expect_right(double distance) {
     const Score score = run_all<Real>(distance);
-    EXPECT_GT(score.hits, 1000);
+    EXPECT_GT(score.hits, 3000);
     EXPECT_EQ(score.missed, 0);
     EXPECT_EQ(score.falsely, 0);
     EXPECT_EQ(score.elsewhere, 0);
