@@ -1,5 +1,6 @@
 // What the program knows of itself: its version, solvers, formats, and the machine it runs on.
 #include "cli/verbs.h"
+#include "exporters/save.h"
 #include "importers/load.h"
 #include "render/context.h"
 #include "solvers/solver_table.h"
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -45,19 +47,27 @@ ExitCode list_solvers(bool json) {
     return json ? print_json({{"schema", json_schema}, {"solvers", rows}}) : print_text(text);
 }
 
-ExitCode list_formats(bool json) {
-    ordered_json rows = ordered_json::array();
-    std::string text;
-    for (const Importer& importer : importer_table()) {
+// Importers and exporters have rows of one form.
+template <class Row>
+void add_formats(std::span<const Row> table, const std::string& direction, ordered_json& rows,
+                 std::string& text) {
+    for (const Row& row : table) {
         ordered_json extensions = ordered_json::array();
         std::string names;
-        for (const std::string_view extension : importer.extensions) {
+        for (const std::string_view extension : row.extensions) {
             extensions.push_back(extension);
             names += (names.empty() ? "." : ", .") + std::string(extension);
         }
-        rows.push_back({{"name", importer.name}, {"extensions", extensions}, {"reads", true}});
-        text += std::string(importer.name) + ": " + names + "\n";
+        rows.push_back({{"name", row.name}, {"direction", direction}, {"extensions", extensions}});
+        text += direction + " " + names + ": " + std::string(row.name) + "\n";
     }
+}
+
+ExitCode list_formats(bool json) {
+    ordered_json rows = ordered_json::array();
+    std::string text;
+    add_formats(importer_table(), "read", rows, text);
+    add_formats(exporter_table(), "write", rows, text);
     return json ? print_json({{"schema", json_schema}, {"formats", rows}}) : print_text(text);
 }
 
@@ -104,7 +114,8 @@ void add_lists(CLI::App& program, Run& run) {
     const auto lists = std::make_shared<Lists>();
     program.add_flag("--version", lists->version, "print the version");
     program.add_flag("--list-solvers", lists->solvers, "print the solvers");
-    program.add_flag("--list-formats", lists->formats, "print the formats that can be read");
+    program.add_flag("--list-formats", lists->formats,
+                     "print the formats that can be read and written");
     program.add_flag("--system", lists->system, "print what this machine offers");
     program.add_flag("--json", lists->json, "as JSON");
     program.callback([&run, lists] {

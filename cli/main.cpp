@@ -21,6 +21,7 @@ ExitCode run_program(int count, char** arguments) {
     add_view(program, run);
     add_render(program, run);
     add_info(program, run);
+    add_convert(program, run);
     add_check(program, run);
     add_bench(program, run);
     add_generate(program, run);

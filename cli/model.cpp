@@ -2,6 +2,8 @@
 #include "cli/model.h"
 
 #include "cli/signals.h"
+#include "exporters/rvm.h"
+#include "exporters/save.h"
 #include "importers/load.h"
 #include "scene/joints.h"
 
@@ -98,6 +100,18 @@ Result<Model> load_only_model(const std::vector<std::string>& paths, const Repor
                          "; models cannot be drawn together yet: name one"};
     }
     return load_model(paths.front(), reporting);
+}
+
+Status save_model(const Scene& scene, const std::string& path) {
+    if (path != "-") {
+        return save_scene(scene, path);
+    }
+    Result<Output> output = Output::create(path);
+    if (!output) {
+        return output.error();
+    }
+    const Status written = export_rvm(scene, output.value());
+    return written ? output.value().commit() : written;
 }
 
 }  // namespace quartic::cli

@@ -22,6 +22,9 @@ Result<Model> load_model(const std::string& path, const Reporting& reporting);
 // As load_model, for verbs that draw one model: an error of usage if there are several.
 Result<Model> load_only_model(const std::vector<std::string>& paths, const Reporting& reporting);
 
+// In the format that the path's extension names; - is RVM on standard output.
+Status save_model(const Scene& scene, const std::string& path);
+
 // Milliseconds since a moment, by the wall's clock.
 using Moment = std::chrono::steady_clock::time_point;
 Moment now();

@@ -14,6 +14,7 @@ using Run = std::function<ExitCode()>;
 void add_view(CLI::App& program, Run& run);
 void add_render(CLI::App& program, Run& run);
 void add_info(CLI::App& program, Run& run);
+void add_convert(CLI::App& program, Run& run);
 void add_check(CLI::App& program, Run& run);
 void add_bench(CLI::App& program, Run& run);
 void add_generate(CLI::App& program, Run& run);

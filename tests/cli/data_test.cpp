@@ -56,6 +56,17 @@ TEST_F(Data, same_seed_makes_the_same_bytes) {
     EXPECT_EQ(first, second);
 }
 
+TEST_F(Data, converted_model_counts_the_same) {
+    const std::string model = generate("plant");
+    const std::string copy = folder_.path("copy.rvm");
+    const Answer convert = run_quartic({"convert", model, "-o", copy});
+    EXPECT_EQ(convert.code, 0) << convert.err;
+    const json before = run_for_json({"info", model});
+    const json after = run_for_json({"info", copy});
+    EXPECT_GT(before["parts"], 10);
+    EXPECT_EQ(before["primitives"], after["primitives"]);
+}
+
 TEST_F(Data, several_models_make_one_document) {
     const std::string model = generate("tori", {"--count", "2"});
     const json info = run_for_json({"info", model, model});

@@ -52,6 +52,10 @@ TEST(Files, folder_is_no_output) {
                     "regular file");
 }
 
+TEST(Files, unknown_output_format_is_named) {
+    expect_one_line(run_quartic({"convert", "a.rvm", "-o", "a.xyz"}), 2, "a.xyz");
+}
+
 TEST(Files, old_output_stays_when_the_work_fails) {
     const TemporaryFolder folder;
     const std::string model = folder.write("bad.rvm", "not a model");

@@ -31,13 +31,14 @@ TEST_P(HelpOfVerb, has_an_example_and_goes_to_standard_output) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verbs, HelpOfVerb,
-                         testing::Values("view", "render", "info", "check", "bench", "generate"),
+                         testing::Values("view", "render", "info", "convert", "check", "bench",
+                                         "generate"),
                          [](const auto& verb) { return std::string(verb.param); });
 
 TEST(Usage, help_of_the_program_names_every_verb) {
     const Answer run = run_quartic({"--help"});
     EXPECT_EQ(run.code, 0);
-    for (const char* verb : {"view", "render", "info", "check", "bench", "generate"}) {
+    for (const char* verb : {"view", "render", "info", "convert", "check", "bench", "generate"}) {
         EXPECT_TRUE(contains(run.out, verb)) << verb;
     }
 }
