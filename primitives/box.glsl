@@ -45,6 +45,12 @@ vec3 point(Box box, int face, vec2 uv)
     return bounds(box).high * (normal + (real(2) * uv.x - real(1)) * u_axis + (real(2) * uv.y - real(1)) * v_axis);
 }
 
+// The normal of a facet, as polyhedra have them: their hulls without margin are themselves, so they are rasterised.
+vec3 facet_normal(Box box, int facet)
+{
+    return box_normal(facet);
+}
+
 int hull_rings(Box box)
 {
     return 2;

@@ -71,6 +71,28 @@ vec3 point(Pyramid pyramid, int face, vec2 uv)
     return vec3(here.x + x, here.y + (real(2) * uv.y - real(1)) * here.w, (v - real(0.5)) * pyramid.height);
 }
 
+// The inward-facing plane of side 0-3 as (gradient, value at the local origin).
+vec4 side_plane(Pyramid pyramid, int face)
+{
+    bool along_x = face % 2 == 1;
+    real sign_out = face == 0 || face == 3 ? real(1) : real(-1);
+    real growth = along_x ? pyramid.top_x - pyramid.bottom_x : pyramid.top_y - pyramid.bottom_y;
+    real offset = along_x ? pyramid.offset_x : pyramid.offset_y;
+    real middle = real(0.25) * (along_x ? pyramid.bottom_x + pyramid.top_x : pyramid.bottom_y + pyramid.top_y);
+    real rise = (real(0.5) * growth + sign_out * offset) / pyramid.height;
+    return along_x ? vec4(-sign_out, 0, rise, middle) : vec4(0, -sign_out, rise, middle);
+}
+
+// The normal of a facet in the order of a box's: -x, +x, -y, +y, -z, +z.
+vec3 facet_normal(Pyramid pyramid, int facet)
+{
+    if (facet >= 4) {
+        return vec3(0, 0, facet == 4 ? -1 : 1);
+    }
+    int side = facet == 0 ? 1 : (facet == 1 ? 3 : (facet == 2 ? 2 : 0));
+    return normalize(-vec3(side_plane(pyramid, side)));
+}
+
 int hull_rings(Pyramid pyramid)
 {
     return 2;
@@ -86,18 +108,6 @@ vec3 hull_point(Pyramid pyramid, int ring, int corner, real margin)
     vec2 xy = rectangle_corner(vec2(here.z + widening, here.w + widening), corner);
     real z = real(0.5) * pyramid.height + margin;
     return vec3(here.x + xy.x, here.y + xy.y, ring == 0 ? -z : z);
-}
-
-// The inward-facing plane of side 0-3 as (gradient, value at the local origin).
-vec4 side_plane(Pyramid pyramid, int face)
-{
-    bool along_x = face % 2 == 1;
-    real sign_out = face == 0 || face == 3 ? real(1) : real(-1);
-    real growth = along_x ? pyramid.top_x - pyramid.bottom_x : pyramid.top_y - pyramid.bottom_y;
-    real offset = along_x ? pyramid.offset_x : pyramid.offset_y;
-    real middle = real(0.25) * (along_x ? pyramid.bottom_x + pyramid.top_x : pyramid.bottom_y + pyramid.top_y);
-    real rise = (real(0.5) * growth + sign_out * offset) / pyramid.height;
-    return along_x ? vec4(-sign_out, 0, rise, middle) : vec4(0, -sign_out, rise, middle);
 }
 
 Hit hit(Pyramid pyramid, Ray ray, int open_ends, int solver)

@@ -84,6 +84,12 @@ vec3 octagon_corner(real radius, int corner, real z)
     return polar(real(1.0823922) * radius, (real(corner) + real(0.5)) * pi() / real(4), z);
 }
 
+// The number, for rectangle_corner(), of the corner at low or high x and y.
+int corner_at(bool high_x, bool high_y)
+{
+    return high_y ? (high_x ? 0 : 2) : (high_x ? 6 : 4);
+}
+
 // The corner of a rectangle of these half widths that octagon corner 0-7 falls on (each twice), for four-sided proxies.
 vec2 rectangle_corner(vec2 half_widths, int corner)
 {

@@ -9,7 +9,7 @@ namespace quartic {
 namespace {
 
 constexpr ShapeRow rows[] = {
-#define SHAPE(id, Type, name) {ShapeType::name, #name, sizeof(f32::Type)},
+#define SHAPE(id, Type, name) {ShapeType::name, #name, sizeof(f32::Type), Polyhedron<f64::Type>},
 #include "primitives/catalog.h"
 #undef SHAPE
 };
@@ -70,6 +70,15 @@ std::string_view name(ShapeType type) {
         }
     }
     return "mesh";
+}
+
+bool is_polyhedron(ShapeType type) {
+    for (const ShapeRow& row : rows) {
+        if (row.type == type) {
+            return row.polyhedron;
+        }
+    }
+    return false;
 }
 
 std::string_view find_fault(const f64::Sphere& shape) {

@@ -25,11 +25,13 @@ struct ShapeRow {
     ShapeType type;
     std::string_view name;
     std::size_t record_bytes;  // of the float parameters alone
+    bool polyhedron;           // all faces are flat: drawn as its own triangles
 };
 
 // All shapes, in the order of their ids.
 std::span<const ShapeRow> shape_table();
 std::string_view name(ShapeType type);
+bool is_polyhedron(ShapeType type);
 
 constexpr std::size_t shape_type_count = 1
 #define SHAPE(id, Type, name) +1
@@ -46,6 +48,10 @@ constexpr ShapeType type_of = ShapeType::mesh;
     inline constexpr ShapeType type_of<f32::Type> = ShapeType::name;
 #include "primitives/catalog.h"
 #undef SHAPE
+
+// A shape with facet_normal() is a polyhedron.
+template <class Shape>
+concept Polyhedron = requires(f64 kernel, Shape shape) { kernel.facet_normal(shape, 0); };
 
 // Many shapes, each type in its own array.
 struct ShapeStore {

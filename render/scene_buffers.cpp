@@ -50,6 +50,13 @@ gpu::Command proxy_command(const IndexRange& range) {
     return command;
 }
 
+std::uint32_t drawn_as(ShapeType type) {
+    if (type == ShapeType::mesh) {
+        return gpu::drawn_as_mesh;
+    }
+    return is_polyhedron(type) ? gpu::drawn_as_polyhedron : gpu::drawn_as_rays;
+}
+
 void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& scene) {
     std::vector<gpu::BatchBlock> blocks;
     std::vector<gpu::Command> commands;
@@ -58,7 +65,7 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
     for (const Batch& batch : packed.batches) {
         const auto first_command = static_cast<std::uint32_t>(commands.size());
         const bool is_mesh = batch.type == ShapeType::mesh;
-        blocks.push_back({first, batch.count, first_command, is_mesh ? 1u : 0u});
+        blocks.push_back({first, batch.count, first_command, drawn_as(batch.type)});
         first += batch.count;
         if (is_mesh) {
             for (std::uint32_t i = 0; i < batch.count; ++i) {

@@ -79,13 +79,13 @@ void draw(uint locator, Seen seen)
 {
     BatchBlock batch = batches[locator >> locator_shift];
     uint index = locator & ((1u << locator_shift) - 1u);
-    if (batch.is_mesh != 0u) {
+    if (batch.drawn_as == drawn_as_mesh) {
         commands[batch.first_command + index].instance_count = 1u;
         return;
     }
     if (seen.nearest_depth <= float(camera.near_depth) * 1.001) {
         near_parts[batch.first + take_slot(batch.first_command + uint(command_near))] = index;
-    } else if (seen.size_px > hull_size_min_px) {
+    } else if (seen.size_px > hull_size_min_px && batch.drawn_as == drawn_as_rays) {
         uint slot = take_slot(batch.first_command + uint(command_hull));
         visible[batch.first + batch.count - 1u - slot] = index;
     } else {

@@ -93,8 +93,12 @@ struct BatchBlock
     uint first;  // in the lists of visible parts
     uint count;
     uint first_command;
-    uint is_mesh;  // one command a part instead of three a batch
+    uint drawn_as;  // one of the three below
 };
+
+const uint drawn_as_rays = 0u;
+const uint drawn_as_mesh = 1u;        // one command a part instead of three a batch
+const uint drawn_as_polyhedron = 2u;  // by its own facets, wherever the near plane does not cut it
 
 struct CountsBlock
 {

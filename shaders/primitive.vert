@@ -1,4 +1,5 @@
-// Proxies of the parts of one batch: what is rasterised to start their rays. Defines: THIS_SHAPE, HULL_RINGS, [NEAR].
+// Proxies of the parts of one batch: what is rasterised to start their rays. Defines: THIS_SHAPE, HULL_RINGS,
+// [NEAR], [FACETS].
 #extension GL_ARB_shader_draw_parameters : require
 #include "shaders/layout.glsl"
 #include "shaders/double_placement.glsl"
@@ -20,7 +21,9 @@ layout(std430, binding = binding_commands) readonly buffer Commands { Command co
 layout(std430, binding = binding_batches) readonly buffer Batches { BatchBlock batches[]; };
 layout(location = 0) uniform uint batch_index;
 
+#ifndef FACETS
 flat out RaySetup setup;
+#endif
 flat out uint record_index;
 
 // Proxies are wider than their shapes by this: a twentieth of a pixel, the joints' overlap, and float's error.
@@ -57,6 +60,10 @@ void main()
     THIS_SHAPE shape = records[record_index].shape;
     dvec3 centre = place_from_eye(placement);
     dvec4 rotation = exact_rotation_of(placement);
+#ifdef FACETS
+    int facet_corner = corner_at((vertex & 1) != 0, (vertex & 2) != 0);
+    vec3 corner = hull_point(shape, vertex / 4, facet_corner, 0.0);
+#else
     Bounds box = bounds(shape);
     setup = make_ray_setup(centre, rotation, dvec3(box.low), dvec3(box.high));
 
@@ -68,5 +75,6 @@ void main()
         corner = mix(box.low - margin, box.high + margin,
                      bvec3((vertex & 1) != 0, (vertex & 2) != 0, (vertex & 4) != 0));
     }
+#endif
     gl_Position = clip_from_eye(centre + turn(rotation, dvec3(corner)));
 }

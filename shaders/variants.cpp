@@ -28,6 +28,8 @@ std::string defines_of(const PrimitiveVariant& variant) {
     }
     if (variant.pass == Pass::near) {
         defines += "#define NEAR\n";
+    } else if (is_polyhedron(variant.type)) {
+        defines += "#define FACETS\n";
     }
     defines += "#define THIS_SHAPE " + std::string(glsl_type(variant.type)) + "\n";
     defines += "#define THIS_SOLVER " + std::to_string(variant.solver) + "\n";
@@ -38,9 +40,13 @@ std::string defines_of(const PrimitiveVariant& variant) {
 }  // namespace
 
 ProgramText program_text(const PrimitiveVariant& variant) {
-    const std::string stem = variant.type == ShapeType::mesh ? "shaders/mesh" : "shaders/primitive";
     const std::string defines = defines_of(variant);
-    return {shader_source(stem + ".vert", defines), shader_source(stem + ".frag", defines)};
+    if (variant.type == ShapeType::mesh) {
+        return {shader_source("shaders/mesh.vert", defines), shader_source("shaders/mesh.frag", defines)};
+    }
+    const bool facets = variant.pass == Pass::front && is_polyhedron(variant.type);
+    return {shader_source("shaders/primitive.vert", defines),
+            shader_source(facets ? "shaders/facet.frag" : "shaders/primitive.frag", defines)};
 }
 
 ProgramText resolve_text() {
