@@ -64,12 +64,13 @@ RenderOptions render_options(const RenderArguments& arguments) {
     return options;
 }
 
-Result<Camera> chosen_camera(const RenderArguments& arguments, const Box3& box, PixelSize size) {
+Result<Camera> chosen_camera(const RenderArguments& arguments, std::span<const Box3> boxes,
+                             PixelSize size) {
     Camera like;
     like.projection =
         arguments.projection == "orthographic" ? Projection::orthographic : Projection::perspective;
     like.fov_y = arguments.fov_deg * std::numbers::pi / 180.0;
-    const std::optional<Camera> camera = find_camera(arguments.camera, box, like, size);
+    const std::optional<Camera> camera = find_camera(arguments.camera, boxes, like, size);
     if (!camera) {
         return Error{ErrorKind::usage, "--camera",
                      "expected fit, iso, front, back, left, right, top, bottom or "
@@ -287,8 +288,8 @@ ExitCode render(const RenderArguments& arguments) {
         model.scene = tessellated(model.scene, arguments.tolerance_mm / 1000.0);
     }
     const PixelSize size = *find_size(arguments.size);
-    const Box3 box = world_bounds(model.scene, render_options(arguments).layers);
-    const Result<Camera> camera = chosen_camera(arguments, box, size);
+    const std::vector<Box3> boxes = part_boxes(model.scene, render_options(arguments).layers);
+    const Result<Camera> camera = chosen_camera(arguments, boxes, size);
     if (!camera) {
         return report_error(camera.error());
     }

@@ -5,7 +5,8 @@
 
 namespace quartic {
 
-void Findings::add(Severity severity, std::string_view where, std::string_view text, std::uint64_t count) {
+void Findings::add(Severity severity, std::string_view where, std::string_view text,
+                   std::uint64_t count) {
     const auto same = std::find_if(list_.begin(), list_.end(), [&](const Finding& finding) {
         return finding.severity == severity && finding.text == text;
     });

@@ -20,7 +20,8 @@ struct Finding {
 class Findings {
 public:
     // Adds count findings with this text; the first one's place is kept.
-    void add(Severity severity, std::string_view where, std::string_view text, std::uint64_t count = 1);
+    void add(Severity severity, std::string_view where, std::string_view text,
+             std::uint64_t count = 1);
     void add_all(const Findings& other);
 
     const std::vector<Finding>& list() const { return list_; }

@@ -9,14 +9,15 @@ namespace quartic {
 
 // The kinds differ in the exit code that the command line gives them.
 enum class ErrorKind {
-    bad_data,      // the bytes are not what they should be: 1
-    usage,         // the call makes no sense: 2
-    io,            // a file could not be read or written: 4
-    no_opengl,     // no usable OpenGL: 5
-    interrupted,   // cancelled by a signal or by the user
+    bad_data,     // the bytes are not what they should be: 1
+    usage,        // the call makes no sense: 2
+    io,           // a file could not be read or written: 4
+    no_opengl,    // no usable OpenGL: 5
+    interrupted,  // cancelled by a signal or by the user
 };
 
-// Printed as one line: "where: message". The message says what was expected, what was found, and what to do.
+// Printed as one line: "where: message". The message says what was expected, what was found, and
+// what to do.
 struct Error {
     ErrorKind kind = ErrorKind::bad_data;
     std::string where;  // "pump.rvm, byte 18204, PRIM", or empty

@@ -10,7 +10,8 @@
 
 namespace quartic {
 
-// Write, then commit. Without commit() the target is as it was, and nothing is left beside it. "-" is standard output.
+// Write, then commit. Without commit() the target is as it was, and nothing is left beside it. "-"
+// is standard output.
 class Output {
 public:
     static Result<Output> create(const std::string& path);

@@ -69,7 +69,8 @@ Result<Source> Source::open(const std::string& path) {
         return io_error(path, "expected a file, found a directory; name a file in it");
     }
     if (!S_ISREG(status.st_mode)) {
-        return io_error(path, "expected a regular file, found a device or pipe; use - for standard input");
+        return io_error(
+            path, "expected a regular file, found a device or pipe; use - for standard input");
     }
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size == 0) {

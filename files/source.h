@@ -10,7 +10,8 @@
 
 namespace quartic {
 
-// Movable owner of the bytes. Only regular files are mapped: a directory, a FIFO or a device is an error at once.
+// Movable owner of the bytes. Only regular files are mapped: a directory, a FIFO or a device is an
+// error at once.
 class Source {
 public:
     static Result<Source> open(const std::string& path);

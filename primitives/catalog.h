@@ -13,15 +13,15 @@ SHAPE(8, Box, box)
 SHAPE(9, Pyramid, pyramid)
 SHAPE(10, Disk, disk)
 #else
-#include "primitives/sphere.glsl"
-#include "primitives/dish.glsl"
-#include "primitives/cylinder.glsl"
-#include "primitives/cone.glsl"
-#include "primitives/snout.glsl"
 #include "primitives/arc.glsl"
-#include "primitives/torus.glsl"
-#include "primitives/rectangular_torus.glsl"
 #include "primitives/box.glsl"
-#include "primitives/pyramid.glsl"
+#include "primitives/cone.glsl"
+#include "primitives/cylinder.glsl"
+#include "primitives/dish.glsl"
 #include "primitives/disk.glsl"
+#include "primitives/pyramid.glsl"
+#include "primitives/rectangular_torus.glsl"
+#include "primitives/snout.glsl"
+#include "primitives/sphere.glsl"
+#include "primitives/torus.glsl"
 #endif

@@ -1,14 +1,13 @@
-// A frustum of a right circular cone around the local z axis, |z| <= height / 2; end 0 is the lower one.
-struct Cone
-{
+// A frustum of a right circular cone around the local z axis, |z| <= height / 2; end 0 is the lower
+// one.
+struct Cone {
     real bottom_radius;  // >= 0; at least one radius > 0
     real top_radius;     // >= 0
     real height;         // > 0
     real unused_0;
 };
 
-Bounds bounds(Cone cone)
-{
+Bounds bounds(Cone cone) {
     real radius = max(cone.bottom_radius, cone.top_radius);
     Bounds box;
     box.high = vec3(radius, radius, real(0.5) * cone.height);
@@ -16,18 +15,15 @@ Bounds bounds(Cone cone)
     return box;
 }
 
-int face_count(Cone cone)
-{
+int face_count(Cone cone) {
     return 3;
 }
 
-int end_count(Cone cone)
-{
+int end_count(Cone cone) {
     return 2;
 }
 
-End end(Cone cone, int index)
-{
+End end(Cone cone, int index) {
     real side = index == 0 ? real(-1) : real(1);
     End disc;
     disc.centre = vec3(0, 0, side * real(0.5) * cone.height);
@@ -37,8 +33,7 @@ End end(Cone cone, int index)
     return disc;
 }
 
-vec3 point(Cone cone, int face, vec2 uv)
-{
+vec3 point(Cone cone, int face, vec2 uv) {
     real half_height = real(0.5) * cone.height;
     if (face == 0) {
         return polar(mix(cone.bottom_radius, cone.top_radius, uv.y), real(2) * pi() * uv.x,
@@ -47,22 +42,20 @@ vec3 point(Cone cone, int face, vec2 uv)
     return disc_point(end(cone, face - 1), uv);
 }
 
-int hull_rings(Cone cone)
-{
+int hull_rings(Cone cone) {
     return 2;
 }
 
-vec3 hull_point(Cone cone, int ring, int corner, real margin)
-{
+vec3 hull_point(Cone cone, int ring, int corner, real margin) {
     // Where the margin lengthens the frustum, the cone goes on widening.
     real steepness = abs(cone.top_radius - cone.bottom_radius) / cone.height;
-    real radius = (ring == 0 ? cone.bottom_radius : cone.top_radius) + margin * (real(1) + steepness);
+    real radius =
+        (ring == 0 ? cone.bottom_radius : cone.top_radius) + margin * (real(1) + steepness);
     real z = real(0.5) * cone.height + margin;
     return octagon_corner(radius, corner, ring == 0 ? -z : z);
 }
 
-Hit hit(Cone cone, Ray ray, int open_ends, int solver)
-{
+Hit hit(Cone cone, Ray ray, int open_ends, int solver) {
     real overlap = joint_overlap(max(cone.bottom_radius, cone.top_radius));
     real half_height = real(0.5) * cone.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
@@ -81,7 +74,8 @@ Hit hit(Cone cone, Ray ray, int open_ends, int solver)
     }
     vec3 p = at(ray, crossing.t);
     real rho = length(vec2(p));
-    vec3 normal = rho > real(0) ? vec3(p.x, p.y, -slope * rho) : vec3(0, 0, slope < real(0) ? 1 : -1);
+    vec3 normal =
+        rho > real(0) ? vec3(p.x, p.y, -slope * rho) : vec3(0, 0, slope < real(0) ? 1 : -1);
     if (crossing.face > 0) {
         normal = vec3(0, 0, crossing.face == 1 ? -1 : 1);
     }

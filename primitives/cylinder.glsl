@@ -1,32 +1,27 @@
 // A cylinder around the local z axis, |z| <= height / 2; end 0 is the lower one.
-struct Cylinder
-{
+struct Cylinder {
     real radius;  // > 0
     real height;  // > 0
     real unused_0;
     real unused_1;
 };
 
-Bounds bounds(Cylinder cylinder)
-{
+Bounds bounds(Cylinder cylinder) {
     Bounds box;
     box.high = vec3(cylinder.radius, cylinder.radius, real(0.5) * cylinder.height);
     box.low = -box.high;
     return box;
 }
 
-int face_count(Cylinder cylinder)
-{
+int face_count(Cylinder cylinder) {
     return 3;
 }
 
-int end_count(Cylinder cylinder)
-{
+int end_count(Cylinder cylinder) {
     return 2;
 }
 
-End end(Cylinder cylinder, int index)
-{
+End end(Cylinder cylinder, int index) {
     real side = index == 0 ? real(-1) : real(1);
     End disc;
     disc.centre = vec3(0, 0, side * real(0.5) * cylinder.height);
@@ -36,8 +31,7 @@ End end(Cylinder cylinder, int index)
     return disc;
 }
 
-vec3 point(Cylinder cylinder, int face, vec2 uv)
-{
+vec3 point(Cylinder cylinder, int face, vec2 uv) {
     real half_height = real(0.5) * cylinder.height;
     if (face == 0) {
         return polar(cylinder.radius, real(2) * pi() * uv.x, mix(-half_height, half_height, uv.y));
@@ -45,19 +39,16 @@ vec3 point(Cylinder cylinder, int face, vec2 uv)
     return disc_point(end(cylinder, face - 1), uv);
 }
 
-int hull_rings(Cylinder cylinder)
-{
+int hull_rings(Cylinder cylinder) {
     return 2;
 }
 
-vec3 hull_point(Cylinder cylinder, int ring, int corner, real margin)
-{
+vec3 hull_point(Cylinder cylinder, int ring, int corner, real margin) {
     real z = real(0.5) * cylinder.height + margin;
     return octagon_corner(cylinder.radius + margin, corner, ring == 0 ? -z : z);
 }
 
-Hit hit(Cylinder cylinder, Ray ray, int open_ends, int solver)
-{
+Hit hit(Cylinder cylinder, Ray ray, int open_ends, int solver) {
     real overlap = joint_overlap(cylinder.radius);
     real half_height = real(0.5) * cylinder.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));

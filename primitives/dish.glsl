@@ -1,33 +1,29 @@
-// A vessel end: the cap above z = 0 of an ellipsoid (half of it) or of a sphere, closed by its base disc, end 0.
-struct Dish
-{
+// A vessel end: the cap above z = 0 of an ellipsoid (half of it) or of a sphere, closed by its base
+// disc, end 0.
+struct Dish {
     real radius;     // > 0, of the base circle
     real height;     // > 0, of the top over the base
-    real spherical;  // 1: a cap of the sphere through base circle and top (height > radius: more than a hemisphere);
-                     // 0: half an ellipsoid
+    real spherical;  // 1: a cap of the sphere through base circle and top (height > radius: more
+                     // than a hemisphere); 0: half an ellipsoid
     real unused_0;
 };
 
-bool is_spherical(Dish dish)
-{
+bool is_spherical(Dish dish) {
     return dish.spherical > real(0.5);
 }
 
 // Radius around z: of the sphere, or of the base.
-real equator_radius(Dish dish)
-{
+real equator_radius(Dish dish) {
     return is_spherical(dish)
                ? (dish.radius * dish.radius + dish.height * dish.height) / (real(2) * dish.height)
                : dish.radius;
 }
 
-real centre_height(Dish dish)
-{
+real centre_height(Dish dish) {
     return is_spherical(dish) ? dish.height - equator_radius(dish) : real(0);
 }
 
-Bounds bounds(Dish dish)
-{
+Bounds bounds(Dish dish) {
     real widest = centre_height(dish) > real(0) ? equator_radius(dish) : dish.radius;
     Bounds box;
     box.low = vec3(-widest, -widest, 0);
@@ -35,18 +31,15 @@ Bounds bounds(Dish dish)
     return box;
 }
 
-int face_count(Dish dish)
-{
+int face_count(Dish dish) {
     return 2;
 }
 
-int end_count(Dish dish)
-{
+int end_count(Dish dish) {
     return 1;
 }
 
-End end(Dish dish, int index)
-{
+End end(Dish dish, int index) {
     End disc;
     disc.centre = vec3(0);
     disc.normal = vec3(0, 0, -1);
@@ -55,8 +48,7 @@ End end(Dish dish, int index)
     return disc;
 }
 
-vec3 point(Dish dish, int face, vec2 uv)
-{
+vec3 point(Dish dish, int face, vec2 uv) {
     if (face == 1) {
         return disc_point(end(dish, 0), uv);
     }
@@ -64,17 +56,16 @@ vec3 point(Dish dish, int face, vec2 uv)
     real b = is_spherical(dish) ? a : dish.height;
     real base_angle = atan(dish.radius, -centre_height(dish));
     real polar_angle = base_angle * (real(1) - uv.y);
-    return polar(a * sin(polar_angle), real(2) * pi() * uv.x, centre_height(dish) + b * cos(polar_angle));
+    return polar(a * sin(polar_angle), real(2) * pi() * uv.x,
+                 centre_height(dish) + b * cos(polar_angle));
 }
 
-int hull_rings(Dish dish)
-{
+int hull_rings(Dish dish) {
     return 3;
 }
 
 // An octagonal prism with a chamfered top.
-vec3 hull_point(Dish dish, int ring, int corner, real margin)
-{
+vec3 hull_point(Dish dish, int ring, int corner, real margin) {
     real radius = bounds(dish).high.x + margin;
     real top = dish.height + margin;
     if (ring == 0) {
@@ -87,11 +78,11 @@ vec3 hull_point(Dish dish, int ring, int corner, real margin)
     if (z < real(0)) {
         return octagon_corner(radius, corner, top);
     }
-    return ring == 1 ? octagon_corner(radius, corner, z) : octagon_corner(real(0.41421356) * a, corner, top);
+    return ring == 1 ? octagon_corner(radius, corner, z)
+                     : octagon_corner(real(0.41421356) * a, corner, top);
 }
 
-Hit hit(Dish dish, Ray ray, int open_ends, int solver)
-{
+Hit hit(Dish dish, Ray ray, int open_ends, int solver) {
     // Stretched along z, the ellipsoid is a sphere; a line's parameter stays the same.
     real a = equator_radius(dish);
     real stretch = is_spherical(dish) ? real(1) : dish.radius / dish.height;
@@ -100,7 +91,8 @@ Hit hit(Dish dish, Ray ray, int open_ends, int solver)
     vec3 d = ray.direction;
 
     real overlap = is_open(open_ends, 0) ? joint_overlap(dish.radius) : real(0);
-    Span span = in_sphere(vec3(o.x, o.y, (o.z - centre) * stretch), vec3(d.x, d.y, d.z * stretch), a);
+    Span span =
+        in_sphere(vec3(o.x, o.y, (o.z - centre) * stretch), vec3(d.x, d.y, d.z * stretch), a);
     span = below_plane(span, o.z + overlap, d.z, 1);
     Crossing crossing = first_crossing(span, ray.first, open_ends);
     if (!crossing.found) {

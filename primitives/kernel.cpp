@@ -1,4 +1,5 @@
-// Compiles the shared texts for every real type, so that they are checked even where nobody calls them.
+// Compiles the shared texts for every real type, so that they are checked even where nobody calls
+// them.
 #include "primitives/kernel.h"
 
 template struct quartic::Solver<float>;

@@ -6,7 +6,8 @@
 namespace quartic {
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // the contract's parameters, where a shape has no use for one
+#pragma GCC diagnostic ignored \
+    "-Wunused-parameter"  // the contract's parameters, where a shape has no use for one
 
 template <class Real>
 struct Kernel {

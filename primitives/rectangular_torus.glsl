@@ -1,14 +1,13 @@
-// A ring segment of rectangular section around the local z axis: a duct bend. Angles from +x through arc, |z| <= height / 2.
-struct RectangularTorus
-{
+// A ring segment of rectangular section around the local z axis: a duct bend. Angles from +x
+// through arc, |z| <= height / 2.
+struct RectangularTorus {
     real inner_radius;  // >= 0, < outer_radius
     real outer_radius;
-    real height;        // >= 0
-    real arc;           // (0, 2 pi]
+    real height;  // >= 0
+    real arc;     // (0, 2 pi]
 };
 
-Bounds bounds(RectangularTorus torus)
-{
+Bounds bounds(RectangularTorus torus) {
     vec4 xy = sector_box(torus.inner_radius, torus.outer_radius, torus.arc);
     Bounds box;
     box.low = vec3(xy.x, xy.y, real(-0.5) * torus.height);
@@ -16,31 +15,29 @@ Bounds bounds(RectangularTorus torus)
     return box;
 }
 
-// Faces: 0 outer wall, 1 and 2 the ends, 3 inner wall, 4 bottom, 5 top; a ring has no ends, they are left empty.
-int face_count(RectangularTorus torus)
-{
+// Faces: 0 outer wall, 1 and 2 the ends, 3 inner wall, 4 bottom, 5 top; a ring has no ends, they
+// are left empty.
+int face_count(RectangularTorus torus) {
     return 6;
 }
 
-int end_count(RectangularTorus torus)
-{
+int end_count(RectangularTorus torus) {
     return 0;
 }
 
-End end(RectangularTorus torus, int index)
-{
+End end(RectangularTorus torus, int index) {
     return no_end();
 }
 
-vec3 point(RectangularTorus torus, int face, vec2 uv)
-{
+vec3 point(RectangularTorus torus, int face, vec2 uv) {
     real half_height = real(0.5) * torus.height;
     real z = mix(-half_height, half_height, uv.y);
     real rho = mix(torus.inner_radius, torus.outer_radius, uv.x);
     if (face == 1 || face == 2) {
         bool ring = torus.arc >= real(2) * pi();
         return face == 1 ? polar(rho, real(0), ring ? real(0) : z)
-                         : polar(torus.inner_radius + torus.outer_radius - rho, torus.arc, ring ? real(0) : z);
+                         : polar(torus.inner_radius + torus.outer_radius - rho, torus.arc,
+                                 ring ? real(0) : z);
     }
     real angle = torus.arc * uv.x;
     if (face == 0) {
@@ -53,13 +50,11 @@ vec3 point(RectangularTorus torus, int face, vec2 uv)
                      : polar(mix(torus.outer_radius, torus.inner_radius, uv.y), angle, half_height);
 }
 
-int hull_rings(RectangularTorus torus)
-{
+int hull_rings(RectangularTorus torus) {
     return arc_rings(torus.arc);
 }
 
-vec3 hull_point(RectangularTorus torus, int ring, int corner, real margin)
-{
+vec3 hull_point(RectangularTorus torus, int ring, int corner, real margin) {
     int rings = hull_rings(torus);
     vec2 half_size = vec2(real(0.5) * (torus.outer_radius - torus.inner_radius) + margin,
                           real(0.5) * torus.height + margin);
@@ -71,8 +66,7 @@ vec3 hull_point(RectangularTorus torus, int ring, int corner, real margin)
     return arc_hull_point(across, torus.arc, rings, ring, margin);
 }
 
-vec3 rectangular_torus_normal(RectangularTorus torus, int face, vec3 p)
-{
+vec3 rectangular_torus_normal(RectangularTorus torus, int face, vec3 p) {
     if (face >= 4) {
         return vec3(0, 0, face == 4 ? -1 : 1);
     }
@@ -86,13 +80,11 @@ vec3 rectangular_torus_normal(RectangularTorus torus, int face, vec3 p)
 }
 
 // The part of body on one side of the bore, which is left by or entered through face 3.
-Span beside(Span body, Span bore, bool after)
-{
+Span beside(Span body, Span bore, bool after) {
     return after ? between(body, bore.exit, huge, 3) : between(body, -huge, bore.enter, 3);
 }
 
-Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver)
-{
+Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver) {
     vec3 o = ray.origin;
     vec3 d = ray.direction;
     vec3 across = vec3(d.x, d.y, 0);
@@ -109,7 +101,8 @@ Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver)
     // In order along the line: each part of the sector, before and after the bore.
     for (int i = 0; i < 4; ++i) {
         Span part = i < 2 ? sector.part_0 : sector.part_1;
-        Span piece = between(between(body, part.enter, huge, part.enter_face), -huge, part.exit, part.exit_face);
+        Span piece = between(between(body, part.enter, huge, part.enter_face), -huge, part.exit,
+                             part.exit_face);
         if (bored) {
             piece = beside(piece, bore, i % 2 == 1);
         }

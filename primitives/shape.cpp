@@ -86,11 +86,13 @@ std::string_view find_fault(const f64::Sphere& shape) {
 }
 
 std::string_view find_fault(const f64::Dish& shape) {
-    return first_of({find_bad_length({shape.radius, shape.height}), find_zero_length({shape.radius, shape.height})});
+    return first_of({find_bad_length({shape.radius, shape.height}),
+                     find_zero_length({shape.radius, shape.height})});
 }
 
 std::string_view find_fault(const f64::Cylinder& shape) {
-    return first_of({find_bad_length({shape.radius, shape.height}), find_zero_length({shape.radius, shape.height})});
+    return first_of({find_bad_length({shape.radius, shape.height}),
+                     find_zero_length({shape.radius, shape.height})});
 }
 
 std::string_view find_fault(const f64::Cone& shape) {
@@ -100,28 +102,33 @@ std::string_view find_fault(const f64::Cone& shape) {
 
 std::string_view find_fault(const f64::Snout& shape) {
     const std::string_view fault =
-        first_of({find_bad_length({shape.bottom_radius, shape.top_radius, shape.height, std::abs(shape.offset),
-                                   std::abs(shape.bottom_slope_x), std::abs(shape.bottom_slope_y),
-                                   std::abs(shape.top_slope_x), std::abs(shape.top_slope_y)}),
+        first_of({find_bad_length({shape.bottom_radius, shape.top_radius, shape.height,
+                                   std::abs(shape.offset), std::abs(shape.bottom_slope_x),
+                                   std::abs(shape.bottom_slope_y), std::abs(shape.top_slope_x),
+                                   std::abs(shape.top_slope_y)}),
                   find_zero_length({shape.height, shape.bottom_radius + shape.top_radius})});
     if (!fault.empty()) {
         return fault;
     }
-    return f64().snout_is_valid(shape) ? std::string_view() : "a sheared end cuts the cone in an open curve";
+    return f64().snout_is_valid(shape) ? std::string_view()
+                                       : "a sheared end cuts the cone in an open curve";
 }
 
 std::string_view find_fault(const f64::Torus& shape) {
-    const std::string_view fault = first_of({find_bad_length({shape.bend_radius, shape.radius}),
-                                             find_zero_length({shape.radius}), find_bad_arc(shape.arc)});
+    const std::string_view fault =
+        first_of({find_bad_length({shape.bend_radius, shape.radius}),
+                  find_zero_length({shape.radius}), find_bad_arc(shape.arc)});
     if (!fault.empty()) {
         return fault;
     }
-    return shape.bend_radius < shape.radius ? "a spindle torus: the tube crosses its own axis" : std::string_view();
+    return shape.bend_radius < shape.radius ? "a spindle torus: the tube crosses its own axis"
+                                            : std::string_view();
 }
 
 std::string_view find_fault(const f64::RectangularTorus& shape) {
-    const std::string_view fault = first_of(
-        {find_bad_length({shape.inner_radius, shape.outer_radius, shape.height}), find_bad_arc(shape.arc)});
+    const std::string_view fault =
+        first_of({find_bad_length({shape.inner_radius, shape.outer_radius, shape.height}),
+                  find_bad_arc(shape.arc)});
     if (!fault.empty()) {
         return fault;
     }
@@ -130,7 +137,8 @@ std::string_view find_fault(const f64::RectangularTorus& shape) {
 }
 
 std::string_view find_fault(const f64::Box& shape) {
-    const std::string_view fault = find_bad_length({shape.length_x, shape.length_y, shape.length_z});
+    const std::string_view fault =
+        find_bad_length({shape.length_x, shape.length_y, shape.length_z});
     if (!fault.empty()) {
         return fault;
     }
@@ -139,18 +147,21 @@ std::string_view find_fault(const f64::Box& shape) {
 }
 
 std::string_view find_fault(const f64::Pyramid& shape) {
-    return first_of({find_bad_length({shape.bottom_x, shape.bottom_y, shape.top_x, shape.top_y, shape.height,
-                                      std::abs(shape.offset_x), std::abs(shape.offset_y)}),
-                     find_zero_length({shape.height, shape.bottom_x + shape.top_x, shape.bottom_y + shape.top_y})});
+    return first_of(
+        {find_bad_length({shape.bottom_x, shape.bottom_y, shape.top_x, shape.top_y, shape.height,
+                          std::abs(shape.offset_x), std::abs(shape.offset_y)}),
+         find_zero_length(
+             {shape.height, shape.bottom_x + shape.top_x, shape.bottom_y + shape.top_y})});
 }
 
 std::string_view find_fault(const f64::Disk& shape) {
-    const std::string_view fault =
-        first_of({find_bad_length({shape.radius, shape.inner_radius}), find_zero_length({shape.radius})});
+    const std::string_view fault = first_of(
+        {find_bad_length({shape.radius, shape.inner_radius}), find_zero_length({shape.radius})});
     if (!fault.empty()) {
         return fault;
     }
-    return shape.inner_radius >= shape.radius ? "the inner radius is not below the outer one" : std::string_view();
+    return shape.inner_radius >= shape.radius ? "the inner radius is not below the outer one"
+                                              : std::string_view();
 }
 
 }  // namespace quartic

@@ -41,17 +41,19 @@ constexpr std::size_t shape_type_count = 1
 
 template <class Shape>
 constexpr ShapeType type_of = ShapeType::mesh;
-#define SHAPE(id, Type, name)                              \
-    template <>                                            \
+#define SHAPE(id, Type, name)                                        \
+    template <>                                                      \
     inline constexpr ShapeType type_of<f64::Type> = ShapeType::name; \
-    template <>                                            \
+    template <>                                                      \
     inline constexpr ShapeType type_of<f32::Type> = ShapeType::name;
 #include "primitives/catalog.h"
 #undef SHAPE
 
 // A shape with facet_normal() is a polyhedron.
 template <class Shape>
-concept Polyhedron = requires(f64 kernel, Shape shape) { kernel.facet_normal(shape, 0); };
+concept Polyhedron = requires(f64 kernel, Shape shape) {
+    kernel.facet_normal(shape, 0);
+};
 
 // Many shapes, each type in its own array.
 struct ShapeStore {
@@ -63,9 +65,9 @@ struct ShapeStore {
 // The array of one type.
 template <class Shape>
 std::vector<Shape>& array_of(ShapeStore& store) {
-#define SHAPE(id, Type, name)                          \
-    if constexpr (std::is_same_v<Shape, f64::Type>) {  \
-        return store.name;                             \
+#define SHAPE(id, Type, name)                         \
+    if constexpr (std::is_same_v<Shape, f64::Type>) { \
+        return store.name;                            \
     }
 #include "primitives/catalog.h"
 #undef SHAPE
@@ -73,10 +75,12 @@ std::vector<Shape>& array_of(ShapeStore& store) {
 
 // Calls visitor(const f64::Type&) with the shape of that type at that index of its array.
 template <class Visitor>
-decltype(auto) visit_shape(const ShapeStore& store, ShapeType type, std::uint32_t index, Visitor&& visitor) {
+decltype(auto) visit_shape(const ShapeStore& store, ShapeType type, std::uint32_t index,
+                           Visitor&& visitor) {
     switch (type) {
 #define SHAPE(id, Type, name) \
-    case ShapeType::name: return visitor(store.name[index]);
+    case ShapeType::name:     \
+        return visitor(store.name[index]);
 #include "primitives/catalog.h"
 #undef SHAPE
         case ShapeType::mesh: break;
@@ -84,7 +88,8 @@ decltype(auto) visit_shape(const ShapeStore& store, ShapeType type, std::uint32_
     check_failed("a mesh is no shape", __FILE__, __LINE__);
 }
 
-// Why a shape cannot be drawn as it is, or empty: not finite, negative, a spindle torus, a cut that does not close.
+// Why a shape cannot be drawn as it is, or empty: not finite, negative, a spindle torus, a cut that
+// does not close.
 #define SHAPE(id, Type, name) std::string_view find_fault(const f64::Type& shape);
 #include "primitives/catalog.h"
 #undef SHAPE

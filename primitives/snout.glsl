@@ -1,81 +1,78 @@
-// A reducer: an oblique cone between a circle at z = -height / 2 and one at z = height / 2, cut by two planes.
+// A reducer: an oblique cone between a circle at z = -height / 2 and one at z = height / 2, cut by
+// two planes.
 //
-// The lower circle is centred on (-offset / 2, 0), the upper one on (offset / 2, 0): the frame is turned so that an
-// eccentric reducer leans along x. Each end plane passes through its circle's centre and rises by its slopes along x
-// and y; a plane that is not level makes that end an ellipse on the same cone (a mitre). snout_is_valid() says which
-// parameters enclose a finite solid.
-struct Snout
-{
-    real bottom_radius;  // >= 0; at least one radius > 0
-    real top_radius;     // >= 0
-    real height;         // > 0
-    real offset;         // of the upper circle against the lower one
-    real bottom_slope_x; // tangent of the cut angle
+// The lower circle is centred on (-offset / 2, 0), the upper one on (offset / 2, 0): the frame is
+// turned so that an eccentric reducer leans along x. Each end plane passes through its circle's
+// centre and rises by its slopes along x and y; a plane that is not level makes that end an ellipse
+// on the same cone (a mitre). snout_is_valid() says which parameters enclose a finite solid.
+struct Snout {
+    real bottom_radius;   // >= 0; at least one radius > 0
+    real top_radius;      // >= 0
+    real height;          // > 0
+    real offset;          // of the upper circle against the lower one
+    real bottom_slope_x;  // tangent of the cut angle
     real bottom_slope_y;
     real top_slope_x;
     real top_slope_y;
 };
 
-real radius_slope(Snout snout)
-{
+real radius_slope(Snout snout) {
     return (snout.top_radius - snout.bottom_radius) / snout.height;
 }
 
 // Radius of the cone at a height, continued beyond the circles where a cut needs it.
-real radius_at(Snout snout, real z)
-{
+real radius_at(Snout snout, real z) {
     return real(0.5) * (snout.bottom_radius + snout.top_radius) + radius_slope(snout) * z;
 }
 
-// Height of the end plane over the point of the wall at this angle: z = z0 + slope . (x, y) on the wall's own circle.
-real end_height(Snout snout, int index, real angle)
-{
+// Height of the end plane over the point of the wall at this angle: z = z0 + slope . (x, y) on the
+// wall's own circle.
+real end_height(Snout snout, int index, real angle) {
     real side = index == 0 ? real(-1) : real(1);
     real along = index == 0 ? snout.bottom_slope_x * cos(angle) + snout.bottom_slope_y * sin(angle)
                             : snout.top_slope_x * cos(angle) + snout.top_slope_y * sin(angle);
-    real lean = (index == 0 ? snout.bottom_slope_x : snout.top_slope_x) * snout.offset / snout.height;
+    real lean =
+        (index == 0 ? snout.bottom_slope_x : snout.top_slope_x) * snout.offset / snout.height;
     real radius = index == 0 ? snout.bottom_radius : snout.top_radius;
     real rise = along * radius / (real(1) - along * radius_slope(snout) - lean);
     return side * real(0.5) * snout.height + rise;
 }
 
-vec3 wall_point(Snout snout, real angle, real z)
-{
+vec3 wall_point(Snout snout, real angle, real z) {
     vec3 p = polar(radius_at(snout, z), angle, z);
     p.x = p.x + snout.offset * z / snout.height;
     return p;
 }
 
 // The most that an end's rim departs from its circle's plane; huge where the cut does not close.
-real end_rise(Snout snout, int index)
-{
+real end_rise(Snout snout, int index) {
     real slope_x = index == 0 ? snout.bottom_slope_x : snout.top_slope_x;
     real slope_y = index == 0 ? snout.bottom_slope_y : snout.top_slope_y;
     real slope = sqrt(slope_x * slope_x + slope_y * slope_y);
     real radius = index == 0 ? snout.bottom_radius : snout.top_radius;
-    real closing = real(1) - slope * abs(radius_slope(snout)) - abs(slope_x * snout.offset) / snout.height;
+    real closing =
+        real(1) - slope * abs(radius_slope(snout)) - abs(slope_x * snout.offset) / snout.height;
     return closing > real(0.01) ? slope * radius / closing : huge;
 }
 
 // Whether both cuts close: each is an ellipse, not a hyperbola that runs away.
-bool snout_is_valid(Snout snout)
-{
+bool snout_is_valid(Snout snout) {
     return snout.height > real(0) && end_rise(snout, 0) < huge && end_rise(snout, 1) < huge;
 }
 
-// The least and the greatest of (a cos t + b sin t) / (w - p cos t - q sin t), w > |(p, q)|: m is reached where
-// (a + m p) cos t + (b + m q) sin t = m w has a solution t, that is up to (a + m p)^2 + (b + m q)^2 = m^2 w^2.
-vec2 quotient_range(vec2 ab, vec2 pq, real w)
-{
+// The least and the greatest of (a cos t + b sin t) / (w - p cos t - q sin t), w > |(p, q)|: m is
+// reached where (a + m p) cos t + (b + m q) sin t = m w has a solution t, that is up to (a + m p)^2
+// + (b + m q)^2 = m^2 w^2.
+vec2 quotient_range(vec2 ab, vec2 pq, real w) {
     real h = dot(ab, pq);
     real k = w * w - dot(pq, pq);
     real root = sqrt(h * h + k * dot(ab, ab));
     return vec2(h - root, h + root) / k;
 }
 
-// The tight box of an end's rim: as seen from the circle's centre, its points are the radius times such quotients.
-Bounds rim_bounds(Snout snout, int index)
-{
+// The tight box of an end's rim: as seen from the circle's centre, its points are the radius times
+// such quotients.
+Bounds rim_bounds(Snout snout, int index) {
     vec2 slope = index == 0 ? vec2(snout.bottom_slope_x, snout.bottom_slope_y)
                             : vec2(snout.top_slope_x, snout.top_slope_y);
     real side = index == 0 ? real(-0.5) : real(0.5);
@@ -93,8 +90,7 @@ Bounds rim_bounds(Snout snout, int index)
     return box;
 }
 
-Bounds bounds(Snout snout)
-{
+Bounds bounds(Snout snout) {
     Bounds bottom = rim_bounds(snout, 0);
     Bounds top = rim_bounds(snout, 1);
     Bounds box;
@@ -103,19 +99,16 @@ Bounds bounds(Snout snout)
     return box;
 }
 
-int face_count(Snout snout)
-{
+int face_count(Snout snout) {
     return 3;
 }
 
-int end_count(Snout snout)
-{
+int end_count(Snout snout) {
     return 2;
 }
 
 // A sheared end is no disc: its radius is given as 0, which nothing joins.
-End end(Snout snout, int index)
-{
+End end(Snout snout, int index) {
     real side = index == 0 ? real(-1) : real(1);
     bool level = index == 0 ? snout.bottom_slope_x == real(0) && snout.bottom_slope_y == real(0)
                             : snout.top_slope_x == real(0) && snout.top_slope_y == real(0);
@@ -127,8 +120,7 @@ End end(Snout snout, int index)
     return disc;
 }
 
-vec3 point(Snout snout, int face, vec2 uv)
-{
+vec3 point(Snout snout, int face, vec2 uv) {
     real angle = real(2) * pi() * (face == 1 ? -uv.x : uv.x);
     if (face == 0) {
         real low = end_height(snout, 0, angle);
@@ -138,13 +130,11 @@ vec3 point(Snout snout, int face, vec2 uv)
     return mix(rim, end(snout, face - 1).centre, uv.y);
 }
 
-int hull_rings(Snout snout)
-{
+int hull_rings(Snout snout) {
     return 2;
 }
 
-vec3 hull_point(Snout snout, int ring, int corner, real margin)
-{
+vec3 hull_point(Snout snout, int ring, int corner, real margin) {
     Bounds box = bounds(snout);
     real z = ring == 0 ? box.low.z - margin : box.high.z + margin;
     real steepness = abs(radius_slope(snout)) + abs(snout.offset) / snout.height;
@@ -154,8 +144,7 @@ vec3 hull_point(Snout snout, int ring, int corner, real margin)
     return p;
 }
 
-Hit hit(Snout snout, Ray ray, int open_ends, int solver)
-{
+Hit hit(Snout snout, Ray ray, int open_ends, int solver) {
     real overlap = joint_overlap(max(snout.bottom_radius, snout.top_radius));
     real half_height = real(0.5) * snout.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));

@@ -1,9 +1,8 @@
 // The part of a line inside a convex solid, and which face it enters and leaves by.
 //
-// Faces: 0 is the wall, 1 + i is the cap of end i, for every convex shape. Intersecting spans makes solids
-// watertight: wherever a line leaves one face it enters its neighbour at the same number.
-struct Span
-{
+// Faces: 0 is the wall, 1 + i is the cap of end i, for every convex shape. Intersecting spans makes
+// solids watertight: wherever a line leaves one face it enters its neighbour at the same number.
+struct Span {
     real enter;  // empty where enter > exit
     real exit;
     int enter_face;
@@ -11,15 +10,13 @@ struct Span
 };
 
 // One point of a line on the boundary of a solid.
-struct Crossing
-{
+struct Crossing {
     bool found;
     real t;
     int face;
 };
 
-Span whole_line()
-{
+Span whole_line() {
     Span span;
     span.enter = -huge;
     span.exit = huge;
@@ -28,8 +25,7 @@ Span whole_line()
     return span;
 }
 
-Span empty_span()
-{
+Span empty_span() {
     Span span = whole_line();
     span.enter = huge;
     span.exit = -huge;
@@ -37,8 +33,7 @@ Span empty_span()
 }
 
 // Keeps what lies between two parameters; ties go to the new face.
-Span between(Span span, real low, real high, int face)
-{
+Span between(Span span, real low, real high, int face) {
     if (low >= span.enter) {
         span.enter = low;
         span.enter_face = face;
@@ -51,8 +46,7 @@ Span between(Span span, real low, real high, int face)
 }
 
 // Keeps where depth + rate t >= 0: the inner side of a plane at this depth below it.
-Span below_plane(Span span, real depth, real rate, int face)
-{
+Span below_plane(Span span, real depth, real rate, int face) {
     if (abs(depth) >= huge * abs(rate)) {
         if (depth < real(0)) {
             span.exit = -huge;
@@ -64,10 +58,9 @@ Span below_plane(Span span, real depth, real rate, int face)
     return rate > real(0) ? between(span, t, huge, face) : between(span, -huge, t, face);
 }
 
-// Inside the sphere of this radius around the local origin. The line is measured from its closest point, so that
-// nothing cancels.
-Span in_sphere(vec3 o, vec3 d, real radius)
-{
+// Inside the sphere of this radius around the local origin. The line is measured from its closest
+// point, so that nothing cancels.
+Span in_sphere(vec3 o, vec3 d, real radius) {
     real dd = dot(d, d);
     real middle = -dot(o, d) / dd;
     vec3 closest = o + middle * d;
@@ -79,11 +72,11 @@ Span in_sphere(vec3 o, vec3 d, real radius)
     return between(whole_line(), middle - reach, middle + reach, 0);
 }
 
-// Inside the cone x^2 + y^2 <= z^2, z >= 0, in the space where z is the wall's radius at that height: with (o, d) the
-// line's image there. A cylinder has d.z = 0. The discriminant as a sum of squared cross products (Lagrange's
-// identity for the form (1, 1, -1)) keeps its digits where b^2 - a c loses them.
-Span in_cone(vec3 o, vec3 d)
-{
+// Inside the cone x^2 + y^2 <= z^2, z >= 0, in the space where z is the wall's radius at that
+// height: with (o, d) the line's image there. A cylinder has d.z = 0. The discriminant as a sum of
+// squared cross products (Lagrange's identity for the form (1, 1, -1)) keeps its digits where b^2 -
+// a c loses them.
+Span in_cone(vec3 o, vec3 d) {
     vec3 sign_z = vec3(1, 1, -1);
     real a = dot(d * sign_z, d);
     real b = dot(o * sign_z, d);
@@ -115,14 +108,12 @@ Span in_cone(vec3 o, vec3 d)
     return empty_span();
 }
 
-bool is_drawn(int face, int open_ends)
-{
+bool is_drawn(int face, int open_ends) {
     return face == 0 || !is_open(open_ends, face - 1);
 }
 
 // The first crossing that is seen: the way in, or, from inside or through an open end, the way out.
-Crossing first_crossing(Span span, real first, int open_ends)
-{
+Crossing first_crossing(Span span, real first, int open_ends) {
     Crossing crossing;
     crossing.found = false;
     crossing.t = span.enter;

@@ -14,9 +14,11 @@ struct Triangles {
     std::vector<std::uint32_t> indices;
 };
 
-// Triangles in the shape's frame that depart from its surface by at most the sagitta (metres, > 0); at most 4,096
-// steps a face and direction. Faces whose bit 1 + i is set in open_ends (end i) are left out.
-#define SHAPE(id, Type, name) Triangles tessellate(const f64::Type& shape, double sagitta, int open_ends = 0);
+// Triangles in the shape's frame that depart from its surface by at most the sagitta (metres, > 0);
+// at most 4,096 steps a face and direction. Faces whose bit 1 + i is set in open_ends (end i) are
+// left out.
+#define SHAPE(id, Type, name) \
+    Triangles tessellate(const f64::Type& shape, double sagitta, int open_ends = 0);
 #include "primitives/catalog.h"
 #undef SHAPE
 

@@ -1,41 +1,37 @@
-// An elbow: a tube around a circle in the local xy plane, from +x through arc; end 0 faces -y, end 1 is at the arc.
+// An elbow: a tube around a circle in the local xy plane, from +x through arc; end 0 faces -y, end
+// 1 is at the arc.
 //
-// A ring (arc of a full turn) has no ends. The tube may touch the axis (bend_radius = radius) but not cross it:
-// spindle tori are refused by is_valid in shape.cpp.
-struct Torus
-{
+// A ring (arc of a full turn) has no ends. The tube may touch the axis (bend_radius = radius) but
+// not cross it: spindle tori are refused by is_valid in shape.cpp.
+struct Torus {
     real bend_radius;  // >= radius
     real radius;       // > 0, of the tube
     real arc;          // (0, 2 pi]
     real unused_0;
 };
 
-Bounds bounds(Torus torus)
-{
-    vec4 xy = sector_box(torus.bend_radius - torus.radius, torus.bend_radius + torus.radius, torus.arc);
+Bounds bounds(Torus torus) {
+    vec4 xy =
+        sector_box(torus.bend_radius - torus.radius, torus.bend_radius + torus.radius, torus.arc);
     Bounds box;
     box.low = vec3(xy.x, xy.y, -torus.radius);
     box.high = vec3(xy.z, xy.w, torus.radius);
     return box;
 }
 
-bool is_ring(Torus torus)
-{
+bool is_ring(Torus torus) {
     return torus.arc >= real(2) * pi();
 }
 
-int face_count(Torus torus)
-{
+int face_count(Torus torus) {
     return is_ring(torus) ? 1 : 3;
 }
 
-int end_count(Torus torus)
-{
+int end_count(Torus torus) {
     return is_ring(torus) ? 0 : 2;
 }
 
-End end(Torus torus, int index)
-{
+End end(Torus torus, int index) {
     real angle = index == 0 ? real(0) : torus.arc;
     real side = index == 0 ? real(-1) : real(1);
     End disc;
@@ -46,22 +42,20 @@ End end(Torus torus, int index)
     return disc;
 }
 
-vec3 point(Torus torus, int face, vec2 uv)
-{
+vec3 point(Torus torus, int face, vec2 uv) {
     if (face == 0) {
         real around = real(2) * pi() * uv.y;
-        return polar(torus.bend_radius + torus.radius * cos(around), torus.arc * uv.x, torus.radius * sin(around));
+        return polar(torus.bend_radius + torus.radius * cos(around), torus.arc * uv.x,
+                     torus.radius * sin(around));
     }
     return disc_point(end(torus, face - 1), uv);
 }
 
-int hull_rings(Torus torus)
-{
+int hull_rings(Torus torus) {
     return arc_rings(torus.arc);
 }
 
-vec3 hull_point(Torus torus, int ring, int corner, real margin)
-{
+vec3 hull_point(Torus torus, int ring, int corner, real margin) {
     vec3 tube = octagon_corner(torus.radius + margin, corner, real(0));
     vec2 across_tube = vec2(torus.bend_radius + tube.x, tube.y);
     if (tube.x < real(0)) {
@@ -71,10 +65,10 @@ vec3 hull_point(Torus torus, int ring, int corner, real margin)
     return arc_hull_point(across_tube, torus.arc, hull_rings(torus), ring, margin);
 }
 
-// The quartic along p + t v, |v| = 1, p . v = 0: with t measured from the point closest to the centre it has no cubic
-// term. Positive outside (reference: (|x|^2 - R^2 - r^2)^2 + 4 R^2 (z^2 - r^2)).
-Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
-{
+// The quartic along p + t v, |v| = 1, p . v = 0: with t measured from the point closest to the
+// centre it has no cubic term. Positive outside (reference: (|x|^2 - R^2 - r^2)^2 + 4 R^2 (z^2 -
+// r^2)).
+Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v) {
     real bend2 = bend_radius * bend_radius;
     real radius2 = radius * radius;
     real q = dot(p, p);
@@ -83,7 +77,8 @@ Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
     f.c = real(2) * k + real(4) * bend2 * v.z * v.z;
     f.d = real(8) * bend2 * p.z * v.z;
     f.e = k * k + real(4) * bend2 * (p.z * p.z - radius2);
-    // Near the axis of a fat torus the other way to write the constant term subtracts smaller numbers.
+    // Near the axis of a fat torus the other way to write the constant term subtracts smaller
+    // numbers.
     real m = q + bend2 - radius2;
     if (m * m + real(4) * bend2 * q < k * k + real(4) * bend2 * radius2) {
         f.e = m * m - real(4) * bend2 * (p.x * p.x + p.y * p.y);
@@ -92,8 +87,7 @@ Quartic torus_quartic(real bend_radius, real radius, vec3 p, vec3 v)
 }
 
 // Outwards from the circle in the middle of the tube; its length is the distance from it.
-vec3 from_spine(Torus torus, vec3 p)
-{
+vec3 from_spine(Torus torus, vec3 p) {
     real rho = length(vec2(p));
     if (rho == real(0)) {
         return vec3(-torus.bend_radius, 0, p.z);  // on the axis all directions are alike
@@ -105,20 +99,22 @@ vec3 from_spine(Torus torus, vec3 p)
 // Steps of polishing that still converge; where the line passes the tube by, they never do.
 const int polish_steps_max = 8;
 
-// Improves a root near t on the squared distance from the spine, taken as a quadratic: float32 quartics of thin tori
-// are only good to R^2 / r^2 ulps. side -1 is the way in, 1 the way out; not found where the line passes by.
-Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
-{
+// Improves a root near t on the squared distance from the spine, taken as a quadratic: float32
+// quartics of thin tori are only good to R^2 / r^2 ulps. side -1 is the way in, 1 the way out; not
+// found where the line passes by.
+Root polish(Torus torus, vec3 p, vec3 v, real t, real side) {
     Root root;
     root.found = false;
     root.t = t;
     for (int i = 0; i < polish_steps_max && !root.found; ++i) {
         vec3 q = p + root.t * v;
-        real rho = max(length(vec2(q)), real(0.01) * torus.bend_radius);  // the tube is not near the axis
+        real rho =
+            max(length(vec2(q)), real(0.01) * torus.bend_radius);  // the tube is not near the axis
         real w = rho - torus.bend_radius;
         real rho_slope = dot(vec2(q), vec2(v)) / rho;
         real bending = (v.x * v.x + v.y * v.y - rho_slope * rho_slope) / rho;
-        real a = rho_slope * rho_slope + w * bending + v.z * v.z;  // negative along the inner side of the bend
+        real a = rho_slope * rho_slope + w * bending +
+                 v.z * v.z;  // negative along the inner side of the bend
         real b = w * rho_slope + q.z * v.z;
         real distance = sqrt(w * w + q.z * q.z);
         real c = (distance - torus.radius) * (distance + torus.radius);
@@ -138,31 +134,29 @@ Root polish(Torus torus, vec3 p, vec3 v, real t, real side)
     return root;
 }
 
-bool is_inside(Torus torus, vec3 p)
-{
+bool is_inside(Torus torus, vec3 p) {
     return length(from_spine(torus, p)) < torus.radius;
 }
 
-bool lies_in(Root root, real low, real high)
-{
+bool lies_in(Root root, real low, real high) {
     return root.found && root.t >= low && root.t <= high;
 }
 
 // By how much the float quartic may misplace the wall of a thin tube.
-real quartic_slack(Torus torus)
-{
+real quartic_slack(Torus torus) {
     return real(2) * rounding() * torus.bend_radius * torus.bend_radius / torus.radius;
 }
 
 // A line passes through a tube at most twice; one visit more for a start in the slack.
 const int torus_visits_max = 3;
 
-// The wall's first crossing in [low, high] of the line p + t v for a tube so thin that the float32 quartic errs by a
-// visible part of it: the quartic of a tube thicker by that error finds every visit, polishing decides.
-Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
-{
+// The wall's first crossing in [low, high] of the line p + t v for a tube so thin that the float32
+// quartic errs by a visible part of it: the quartic of a tube thicker by that error finds every
+// visit, polishing decides.
+Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver) {
     real tolerance = last_step() * torus.radius;
-    real skip = real(0.05) * torus.radius;  // over the rounding at a root; visits this short touch nothing
+    real skip =
+        real(0.05) * torus.radius;  // over the rounding at a root; visits this short touch nothing
     Quartic f = torus_quartic(torus.bend_radius, torus.radius + quartic_slack(torus), p, v);
     bool inside = is_inside(torus, p + low * v);
     real from = low;
@@ -201,20 +195,19 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
     return root;
 }
 
-Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver)
-{
+Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver) {
     if (torus.bend_radius > real(2) * torus.radius) {
         return first_thin_root(torus, p, v, low, high, solver);
     }
     // Where the tube nearly meets the axis it bends far more sharply than its radius says.
     real sharpest = clamp(length(p), real(0.001) * torus.radius, torus.radius);
-    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high, last_step() * sharpest,
-                      solver);
+    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high,
+                      last_step() * sharpest, solver);
 }
 
-// The first crossing with what lies in [low, high] between two cuts, the end planes where they cut: cap, wall, cap.
-Crossing first_crossing(Torus torus, Ray line, Span cut, int open_ends, int solver)
-{
+// The first crossing with what lies in [low, high] between two cuts, the end planes where they cut:
+// cap, wall, cap.
+Crossing first_crossing(Torus torus, Ray line, Span cut, int open_ends, int solver) {
     Crossing crossing;
     crossing.found = false;
     crossing.t = cut.enter;
@@ -222,7 +215,8 @@ Crossing first_crossing(Torus torus, Ray line, Span cut, int open_ends, int solv
     if (cut.enter >= cut.exit) {
         return crossing;
     }
-    if (cut.enter_face > 0 && is_drawn(cut.enter_face, open_ends) && is_inside(torus, at(line, cut.enter))) {
+    if (cut.enter_face > 0 && is_drawn(cut.enter_face, open_ends) &&
+        is_inside(torus, at(line, cut.enter))) {
         crossing.found = true;
         return crossing;
     }
@@ -238,8 +232,7 @@ Crossing first_crossing(Torus torus, Ray line, Span cut, int open_ends, int solv
     return crossing;
 }
 
-Hit hit(Torus torus, Ray ray, int open_ends, int solver)
-{
+Hit hit(Torus torus, Ray ray, int open_ends, int solver) {
     // The same line with a unit direction, measured from its point closest to the centre.
     real speed = length(ray.direction);
     Ray line;
@@ -255,12 +248,15 @@ Hit hit(Torus torus, Ray ray, int open_ends, int solver)
     }
     real reach = real(1.00001) * sqrt(room);
     real turn = joint_overlap(torus.radius) / torus.bend_radius;
-    Sector sector = in_sector(line.origin, line.direction, torus.arc, is_open(open_ends, 0) ? turn : real(0),
-                              is_open(open_ends, 1) ? turn : real(0));
+    Sector sector =
+        in_sector(line.origin, line.direction, torus.arc, is_open(open_ends, 0) ? turn : real(0),
+                  is_open(open_ends, 1) ? turn : real(0));
     real low = max(-reach, line.first);
-    Crossing crossing = first_crossing(torus, line, between(sector.part_0, low, reach, 0), open_ends, solver);
+    Crossing crossing =
+        first_crossing(torus, line, between(sector.part_0, low, reach, 0), open_ends, solver);
     if (!crossing.found) {
-        crossing = first_crossing(torus, line, between(sector.part_1, low, reach, 0), open_ends, solver);
+        crossing =
+            first_crossing(torus, line, between(sector.part_1, low, reach, 0), open_ends, solver);
     }
     if (!crossing.found) {
         return miss();

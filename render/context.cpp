@@ -21,20 +21,24 @@ std::vector<EGLDisplay> displays(ContextKind kind) {
     if (extensions.find("EGL_EXT_platform_base") == std::string_view::npos) {
         return found;
     }
-    if (kind == ContextKind::automatic && extensions.find("EGL_EXT_device_enumeration") != std::string_view::npos) {
+    if (kind == ContextKind::automatic &&
+        extensions.find("EGL_EXT_device_enumeration") != std::string_view::npos) {
         std::array<EGLDeviceEXT, 16> devices{};
         EGLint count = 0;
         eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
         for (EGLint i = 0; i < count; ++i) {
-            const char* const name = eglQueryDeviceStringEXT(devices[static_cast<std::size_t>(i)], EGL_EXTENSIONS);
-            if (name != nullptr && std::string_view(name).find("EGL_NV_device_cuda") != std::string_view::npos) {
-                found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
-                                                         devices[static_cast<std::size_t>(i)], nullptr));
+            const char* const name =
+                eglQueryDeviceStringEXT(devices[static_cast<std::size_t>(i)], EGL_EXTENSIONS);
+            if (name != nullptr &&
+                std::string_view(name).find("EGL_NV_device_cuda") != std::string_view::npos) {
+                found.push_back(eglGetPlatformDisplayEXT(
+                    EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
             }
         }
     }
     if (extensions.find("EGL_MESA_platform_surfaceless") != std::string_view::npos) {
-        found.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+        found.push_back(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
     return found;
 }
@@ -46,9 +50,12 @@ EGLContext make_context(EGLDisplay display) {
         eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
         return EGL_NO_CONTEXT;
     }
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
-                                 EGL_CONTEXT_MINOR_VERSION,       5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
     EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context != EGL_NO_CONTEXT &&
@@ -66,7 +73,8 @@ Result<HeadlessContext> HeadlessContext::create(ContextKind kind) {
         ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     }
     const Error none{ErrorKind::no_opengl, "",
-                     "no usable OpenGL: expected a driver with OpenGL 4.5 core through EGL, found none; install one "
+                     "no usable OpenGL: expected a driver with OpenGL 4.5 core through EGL, found "
+                     "none; install one "
                      "(Debian: libegl-mesa0 and libgl1-mesa-dri) or use --device reference"};
     if (!epoxy_has_egl()) {
         return none;
@@ -88,7 +96,8 @@ Result<HeadlessContext> HeadlessContext::create(ContextKind kind) {
 }
 
 HeadlessContext::HeadlessContext(HeadlessContext&& other) noexcept
-    : display_(std::exchange(other.display_, nullptr)), context_(std::exchange(other.context_, nullptr)) {}
+    : display_(std::exchange(other.display_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)) {}
 
 HeadlessContext::~HeadlessContext() {
     if (context_ != nullptr) {
@@ -112,8 +121,8 @@ RendererName renderer_name() {
 Status check_context() {
     const auto lacks = [](const std::string& what) {
         return Error{ErrorKind::no_opengl, "",
-                     "no usable OpenGL: expected " + what + ", found " + renderer_name().renderer + " " +
-                         renderer_name().version + "; update the driver or use --software"};
+                     "no usable OpenGL: expected " + what + ", found " + renderer_name().renderer +
+                         " " + renderer_name().version + "; update the driver or use --software"};
     };
     if (epoxy_gl_version() < 45) {
         return lacks("version 4.5");

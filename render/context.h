@@ -7,7 +7,10 @@
 
 namespace quartic {
 
-enum class ContextKind { automatic, software };  // software: Mesa's llvmpipe, whatever hardware there is
+enum class ContextKind {
+    automatic,
+    software
+};  // software: Mesa's llvmpipe, whatever hardware there is
 
 class HeadlessContext {
 public:

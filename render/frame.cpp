@@ -47,12 +47,13 @@ void draw_fronts(const SceneBuffers& scene, bool transparent) {
         glUseProgram(batch.front_program);
         glUniform1ui(0, static_cast<GLuint>(i));
         bind_storage(gpu::binding_records, batch.records);
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, command_offset(batch.first_command), 2,
-                                    sizeof(gpu::Command));
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
+                                    command_offset(batch.first_command), 2, sizeof(gpu::Command));
     }
 }
 
-// Parts that the eye is in or the near plane cuts: their boxes' far faces cover them wherever the eye is.
+// Parts that the eye is in or the near plane cuts: their boxes' far faces cover them wherever the
+// eye is.
 void draw_near(const SceneBuffers& scene, bool transparent) {
     glCullFace(GL_FRONT);
     for (std::size_t i = 0; i < scene.draws.size(); ++i) {
@@ -63,8 +64,9 @@ void draw_near(const SceneBuffers& scene, bool transparent) {
         glUseProgram(batch.near_program);
         glUniform1ui(0, static_cast<GLuint>(i));
         bind_storage(gpu::binding_records, batch.records);
-        glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
-                               command_offset(batch.first_command + static_cast<unsigned>(gpu::command_near)));
+        glDrawElementsIndirect(
+            GL_TRIANGLES, GL_UNSIGNED_SHORT,
+            command_offset(batch.first_command + static_cast<unsigned>(gpu::command_near)));
     }
 }
 
@@ -77,7 +79,8 @@ void draw_meshes(const SceneBuffers& scene, bool transparent) {
         }
         glUseProgram(batch.front_program);
         bind_storage(gpu::binding_records, batch.records);
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, command_offset(batch.first_command),
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                                    command_offset(batch.first_command),
                                     static_cast<GLsizei>(batch.count), sizeof(gpu::Command));
     }
 }
@@ -119,7 +122,8 @@ void draw_translucent(const SceneBuffers& scene, const Targets& targets) {
     glDepthMask(GL_TRUE);
 }
 
-void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram& program, bool see_through) {
+void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram& program,
+             bool see_through) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.finished.name());
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -135,8 +139,8 @@ void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram&
 
 }  // namespace
 
-void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs, GLuint camera,
-                bool transparent_background) {
+void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
+                GLuint camera, bool transparent_background) {
     glViewport(0, 0, targets.size.width, targets.size.height);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);

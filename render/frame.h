@@ -13,7 +13,7 @@ struct FramePrograms {
 };
 
 // Draws the scene into the targets, from the camera in the buffer (gpu::CameraBlock).
-void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs, GLuint camera,
-                bool transparent_background);
+void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
+                GLuint camera, bool transparent_background);
 
 }  // namespace quartic

@@ -40,7 +40,8 @@ GlBuffer make_buffer(std::span<const std::byte> bytes, GLbitfield flags) {
 GlBuffer make_empty_buffer(std::size_t bytes, GLbitfield flags) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
-    glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16)), nullptr, flags);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max<std::size_t>(bytes, 16)), nullptr,
+                         flags);
     return GlBuffer(name);
 }
 

@@ -13,9 +13,9 @@ struct IndexRange {
     std::uint32_t count = 0;
 };
 
-// One index buffer with the patterns of a box and of hulls with 2, 3, 4, 7 and 13 rings, each repeated for
-// gpu::parts_per_instance parts: vertex v of part p is number p * vertices + v. Front faces wind counter-clockwise
-// seen from outside.
+// One index buffer with the patterns of a box and of hulls with 2, 3, 4, 7 and 13 rings, each
+// repeated for gpu::parts_per_instance parts: vertex v of part p is number p * vertices + v. Front
+// faces wind counter-clockwise seen from outside.
 struct Proxies {
     GlBuffer indices;
     IndexRange box;

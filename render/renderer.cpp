@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t gl_errors_max = 16;
 
-gpu::CameraBlock camera_block(const View& view, const RenderOptions& options, std::uint32_t part_count) {
+gpu::CameraBlock camera_block(const View& view, const RenderOptions& options,
+                              std::uint32_t part_count) {
     gpu::CameraBlock block{};
     block.eye = glm::dvec4(view.eye, 1.0);
     block.right = glm::dvec4(view.right, 0.0);
@@ -51,7 +52,8 @@ glm::vec3 normal_from(std::uint32_t bits) {
         return glm::normalize(glm::vec3(folded, z));
     }
     return glm::normalize(glm::vec3((1.0f - std::abs(folded.y)) * (folded.x >= 0.0f ? 1.0f : -1.0f),
-                                    (1.0f - std::abs(folded.x)) * (folded.y >= 0.0f ? 1.0f : -1.0f), z));
+                                    (1.0f - std::abs(folded.x)) * (folded.y >= 0.0f ? 1.0f : -1.0f),
+                                    z));
 }
 
 }  // namespace
@@ -74,8 +76,8 @@ struct Renderer::State {
     }
 
     Result<GLuint> program_of(const Batch& batch, Pass pass) {
-        const auto key = std::tuple(static_cast<int>(batch.type), batch.solver, batch.hull_rings, batch.transparent,
-                                    static_cast<int>(pass));
+        const auto key = std::tuple(static_cast<int>(batch.type), batch.solver, batch.hull_rings,
+                                    batch.transparent, static_cast<int>(pass));
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -110,7 +112,8 @@ Result<Renderer> Renderer::create() {
     state->programs = {std::move(cull).value(), std::move(resolve).value()};
     state->proxies = make_proxies();
     state->camera = make_empty_buffer(sizeof(gpu::CameraBlock), GL_DYNAMIC_STORAGE_BIT);
-    state->scene = upload(Packed{{}, {}, {}, {}, {}, {}, {}, {glm::vec4(1.0f)}, {}}, state->proxies);
+    state->scene =
+        upload(Packed{{}, {}, {}, {}, {}, {}, {}, {glm::vec4(1.0f)}, {}}, state->proxies);
     state->collect_errors("create");
     return Renderer(std::move(state));
 }
@@ -169,8 +172,9 @@ void Renderer::finish() {
 
 void Renderer::present(unsigned framebuffer, PixelSize window_size) {
     const PixelSize size = state_->targets.size;
-    glBlitNamedFramebuffer(state_->targets.finished.name(), framebuffer, 0, 0, size.width, size.height, 0, 0,
-                           window_size.width, window_size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitNamedFramebuffer(state_->targets.finished.name(), framebuffer, 0, 0, size.width,
+                           size.height, 0, 0, window_size.width, window_size.height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
     state_->collect_errors("present");
 }
 
@@ -178,8 +182,8 @@ std::uint32_t Renderer::part_at(int x, int y) {
     std::uint32_t part = no_index;
     const PixelSize size = state_->targets.size;
     if (x >= 0 && y >= 0 && x < size.width && y < size.height) {
-        glGetTextureSubImage(state_->targets.parts.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                             sizeof(part), &part);
+        glGetTextureSubImage(state_->targets.parts.name(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER,
+                             GL_UNSIGNED_INT, sizeof(part), &part);
     }
     state_->collect_errors("part_at");
     return part;
@@ -189,16 +193,18 @@ std::optional<double> Renderer::depth_at(int x, int y) {
     float value = 0.0f;
     const PixelSize size = state_->targets.size;
     if (x >= 0 && y >= 0 && x < size.width && y < size.height) {
-        glGetTextureSubImage(state_->targets.depth.name(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
-                             sizeof(value), &value);
+        glGetTextureSubImage(state_->targets.depth.name(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT,
+                             GL_FLOAT, sizeof(value), &value);
     }
     state_->collect_errors("depth_at");
-    return value > 0.0f ? std::optional(depth_from_buffer(state_->view, static_cast<double>(value))) : std::nullopt;
+    return value > 0.0f ? std::optional(depth_from_buffer(state_->view, static_cast<double>(value)))
+                        : std::nullopt;
 }
 
 GBuffer Renderer::read() {
     const Targets& targets = state_->targets;
-    const auto pixels = static_cast<std::size_t>(targets.size.width) * static_cast<std::size_t>(targets.size.height);
+    const auto pixels = static_cast<std::size_t>(targets.size.width) *
+                        static_cast<std::size_t>(targets.size.height);
     const auto bytes = static_cast<GLsizei>(4 * pixels);
     GBuffer picture;
     picture.size = targets.size;
@@ -206,19 +212,25 @@ GBuffer Renderer::read() {
     picture.depth_m.resize(pixels);
     picture.colours.resize(4 * pixels);
     std::vector<std::uint32_t> normals(pixels);
-    glGetTextureImage(targets.parts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, picture.ids.data());
-    glGetTextureImage(targets.normals.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, normals.data());
-    glGetTextureImage(targets.depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, picture.depth_m.data());
-    glGetTextureImage(targets.colours.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes, picture.colours.data());
+    glGetTextureImage(targets.parts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes,
+                      picture.ids.data());
+    glGetTextureImage(targets.normals.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes,
+                      normals.data());
+    glGetTextureImage(targets.depth.name(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, bytes,
+                      picture.depth_m.data());
+    glGetTextureImage(targets.colours.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes,
+                      picture.colours.data());
     picture.normals.reserve(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         float& depth = picture.depth_m[i];
         const bool empty = picture.ids[i] == no_index;
         const glm::vec3 normal = normal_from(normals[i]);
         picture.normals.push_back(normal);
-        picture.nan_pixels += !std::isfinite(depth) || !std::isfinite(normal.x + normal.y + normal.z);
-        depth = empty ? std::numeric_limits<float>::infinity()
-                      : static_cast<float>(depth_from_buffer(state_->view, static_cast<double>(depth)));
+        picture.nan_pixels +=
+            !std::isfinite(depth) || !std::isfinite(normal.x + normal.y + normal.z);
+        depth =
+            empty ? std::numeric_limits<float>::infinity()
+                  : static_cast<float>(depth_from_buffer(state_->view, static_cast<double>(depth)));
     }
     state_->collect_errors("read");
     return picture;

@@ -1,4 +1,5 @@
-// Draws a scene with OpenGL 4.5: every shape solved in its fragment shader. Needs a current context.
+// Draws a scene with OpenGL 4.5: every shape solved in its fragment shader. Needs a current
+// context.
 #pragma once
 
 #include "diagnostics/result.h"
@@ -20,7 +21,7 @@ struct RenderOptions {
     bool cull_size = true;
     double size_min_px = 0.3;  // parts that appear smaller are not drawn (cull_size)
     bool edges = true;
-    bool occlusion = true;     // ambient occlusion
+    bool occlusion = true;  // ambient occlusion
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
     glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing
@@ -36,11 +37,11 @@ struct FrameCounts {
 // A picture, rows from the bottom up, as it stands in GL.
 struct GBuffer {
     PixelSize size;
-    std::vector<std::uint32_t> ids;    // part, or no_index for the background
-    std::vector<float> depth_m;        // view depth; infinity for the background
-    std::vector<glm::vec3> normals;    // world, out of the solid
-    std::vector<std::uint8_t> colours; // RGBA, sRGB, straight alpha
-    std::uint64_t nan_pixels = 0;      // not a number in any target
+    std::vector<std::uint32_t> ids;     // part, or no_index for the background
+    std::vector<float> depth_m;         // view depth; infinity for the background
+    std::vector<glm::vec3> normals;     // world, out of the solid
+    std::vector<std::uint8_t> colours;  // RGBA, sRGB, straight alpha
+    std::uint64_t nan_pixels = 0;       // not a number in any target
 };
 
 class Renderer {

@@ -20,14 +20,16 @@ std::vector<gpu::ChunkBlock> chunk_blocks(const Packed& packed) {
     std::vector<gpu::ChunkBlock> blocks;
     blocks.reserve(packed.chunks.size());
     for (const Chunk& chunk : packed.chunks) {
-        blocks.push_back({chunk.origin.x, chunk.origin.y, chunk.origin.z, chunk.first, chunk.count});
+        blocks.push_back(
+            {chunk.origin.x, chunk.origin.y, chunk.origin.z, chunk.first, chunk.count});
     }
     return blocks;
 }
 
 std::vector<BoundsPage> bounds_pages(const Packed& packed) {
     constexpr std::uint32_t page_parts_max = page_bytes_max / sizeof(gpu::BoundsBlock);
-    constexpr std::uint32_t page_chunks_max = 65535;  // groups of one dispatch that every driver takes
+    constexpr std::uint32_t page_chunks_max =
+        65535;  // groups of one dispatch that every driver takes
     std::vector<BoundsPage> pages;
     for (std::uint32_t i = 0; i < packed.chunks.size(); ++i) {
         const Chunk& chunk = packed.chunks[i];
@@ -83,8 +85,8 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
             commands.push_back(proxy_command(proxies.box));
         }
         scene.bytes += batch.records.size();
-        scene.draws.push_back({batch.type, batch.transparent, batch.count, make_buffer(batch.records),
-                               first_command, 0, 0});
+        scene.draws.push_back({batch.type, batch.transparent, batch.count,
+                               make_buffer(batch.records), first_command, 0, 0});
     }
     scene.batches = upload_array(blocks, scene);
     scene.empty_commands = upload_array(commands, scene);

@@ -37,8 +37,10 @@ Targets make_targets(PixelSize size) {
     targets.translucent = make_texture(GL_RGBA16F, size.width, size.height);
     targets.revealed = make_texture(GL_R16F, size.width, size.height);
     targets.colours = make_texture(GL_RGBA8, size.width, size.height);
-    targets.surfaces = make_framebuffer({targets.parts.name(), targets.normals.name()}, targets.depth.name());
-    targets.blending = make_framebuffer({targets.translucent.name(), targets.revealed.name()}, targets.depth.name());
+    targets.surfaces =
+        make_framebuffer({targets.parts.name(), targets.normals.name()}, targets.depth.name());
+    targets.blending = make_framebuffer({targets.translucent.name(), targets.revealed.name()},
+                                        targets.depth.name());
     targets.finished = make_framebuffer({targets.colours.name()}, 0);
     return targets;
 }

@@ -17,11 +17,16 @@ struct NamedView {
 };
 
 constexpr NamedView named_views[] = {
-    {"fit", {0.55, 0.75, -0.45}, {0, 0, 1}},   {"iso", {1, 1, -0.8164965809}, {0, 0, 1}},
-    {"front", {0, 1, 0}, {0, 0, 1}},           {"back", {0, -1, 0}, {0, 0, 1}},
-    {"left", {1, 0, 0}, {0, 0, 1}},            {"right", {-1, 0, 0}, {0, 0, 1}},
-    {"top", {0, 0, -1}, {0, 1, 0}},            {"bottom", {0, 0, 1}, {0, 1, 0}},
+    {"fit", {0.55, 0.75, -0.45}, {0, 0, 1}}, {"iso", {1, 1, -0.8164965809}, {0, 0, 1}},
+    {"front", {0, 1, 0}, {0, 0, 1}},         {"back", {0, -1, 0}, {0, 0, 1}},
+    {"left", {1, 0, 0}, {0, 0, 1}},          {"right", {-1, 0, 0}, {0, 0, 1}},
+    {"top", {0, 0, -1}, {0, 1, 0}},          {"bottom", {0, 0, 1}, {0, 1, 0}},
 };
+
+glm::dvec3 corner_of(const Box3& box, int corner) {
+    return {(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+            (corner & 4) != 0 ? box.high.z : box.low.z};
+}
 
 // Nine numbers between commas and semicolons.
 std::optional<std::array<double, 9>> parse_numbers(std::string_view text) {
@@ -45,19 +50,51 @@ std::optional<std::array<double, 9>> parse_numbers(std::string_view text) {
     return at == end ? std::optional(numbers) : std::nullopt;
 }
 
+// How far corners reach towards each side of the picture, measured where the side's plane crosses
+// the middle's plane.
+struct Sides {
+    double right = std::numeric_limits<double>::lowest();
+    double left = std::numeric_limits<double>::lowest();
+    double top = std::numeric_limits<double>::lowest();
+    double bottom = std::numeric_limits<double>::lowest();
+
+    void include(const Box3& box, const glm::dvec3& middle, const View& axes, double slope_x,
+                 double slope_y) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 p = corner_of(box, corner) - middle;
+            const double x = glm::dot(axes.right, p);
+            const double y = glm::dot(axes.up, p);
+            const double z = glm::dot(axes.back, p);
+            right = std::max(right, x + slope_x * z);
+            left = std::max(left, slope_x * z - x);
+            top = std::max(top, y + slope_y * z);
+            bottom = std::max(bottom, slope_y * z - y);
+        }
+    }
+};
+
 }  // namespace
 
 View make_view(const Camera& camera, PixelSize size) {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     glm::dvec3 right = glm::cross(forward, camera.up);
     if (glm::dot(right, right) < 1e-20) {
-        right = glm::cross(forward, std::abs(forward.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+        right = glm::cross(forward,
+                           std::abs(forward.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     }
     right = glm::normalize(right);
-    const double height = camera.projection == Projection::perspective ? 2.0 * std::tan(0.5 * camera.fov_y)
-                                                                       : camera.height_m;
-    return {camera.eye,    right,         glm::cross(right, forward), -forward, camera.projection,
-            height / size.height, camera.near_m, camera.near_m + 1.0,        size};
+    const double height = camera.projection == Projection::perspective
+                              ? 2.0 * std::tan(0.5 * camera.fov_y)
+                              : camera.height_m;
+    return {camera.eye,
+            right,
+            glm::cross(right, forward),
+            -forward,
+            camera.projection,
+            height / size.height,
+            camera.near_m,
+            camera.near_m + 1.0,
+            size};
 }
 
 f64::Ray pixel_ray(const View& view, double x, double y) {
@@ -78,67 +115,88 @@ glm::dvec3 project(const View& view, const glm::dvec3& world) {
 }
 
 double buffer_depth(const View& view, double depth_m) {
-    return view.projection == Projection::perspective ? view.near_m / depth_m
-                                                      : (view.far_m - depth_m) / (view.far_m - view.near_m);
+    return view.projection == Projection::perspective
+               ? view.near_m / depth_m
+               : (view.far_m - depth_m) / (view.far_m - view.near_m);
 }
 
 double depth_from_buffer(const View& view, double buffer_depth) {
-    return view.projection == Projection::perspective ? view.near_m / buffer_depth
-                                                      : view.far_m - buffer_depth * (view.far_m - view.near_m);
+    return view.projection == Projection::perspective
+               ? view.near_m / buffer_depth
+               : view.far_m - buffer_depth * (view.far_m - view.near_m);
 }
 
-std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward) {
-    std::array<double, 2> range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye,
+                                  const glm::dvec3& forward) {
+    std::array<double, 2> range{std::numeric_limits<double>::max(),
+                                std::numeric_limits<double>::lowest()};
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                           (corner & 4) != 0 ? box.high.z : box.low.z);
-        const double depth = glm::dot(p - eye, forward);
+        const double depth = glm::dot(corner_of(box, corner) - eye, forward);
         range = {std::min(range[0], depth), std::max(range[1], depth)};
     }
     return range;
 }
 
-Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up, const Camera& like,
-                  PixelSize size) {
-    Camera camera = like;
-    const Box3 seen = box.empty() ? Box3{glm::dvec3(-1.0), glm::dvec3(1.0)} : box;
-    const glm::dvec3 middle = 0.5 * (seen.low + seen.high);
+Camera fit_camera(std::span<const Box3> boxes, const glm::dvec3& direction, const glm::dvec3& up,
+                  const Camera& like, PixelSize size) {
+    Box3 all;
+    for (const Box3& box : boxes) {
+        all.low = glm::min(all.low, box.low);
+        all.high = glm::max(all.high, box.high);
+    }
+    if (all.empty()) {
+        const Box3 cube{glm::dvec3(-1.0), glm::dvec3(1.0)};
+        return fit_camera(std::span(&cube, 1), direction, up, like, size);
+    }
+    const glm::dvec3 middle = 0.5 * (all.low + all.high);
     const glm::dvec3 forward = glm::normalize(direction);
+    Camera camera = like;
     camera.target = middle;
     camera.up = up;
     camera.eye = middle - forward;
     const View axes = make_view(camera, size);
+    const bool perspective = camera.projection == Projection::perspective;
     const double aspect = static_cast<double>(size.width) / size.height;
     const double tangent = std::tan(0.5 * camera.fov_y);
+    const double slope_x = perspective ? tangent * aspect : 0.0;
+    const double slope_y = perspective ? tangent : 0.0;
 
-    // The least distance and height at which each corner is inside the picture, with a margin of 4 %.
-    double distance = 0.0;
-    double half_height = 1e-9;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 half = 0.5 * (seen.high - seen.low);
-        const glm::dvec3 p((corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
-                           (corner & 4) != 0 ? half.z : -half.z);
-        const double reach = std::max(std::abs(glm::dot(axes.right, p)) / aspect, std::abs(glm::dot(axes.up, p)));
-        half_height = std::max(half_height, 1.04 * reach);
-        distance = std::max(distance, 1.04 * reach / tangent + glm::dot(axes.back, p));
+    // The four planes through the picture's sides must have every corner inside: each side's plane
+    // is the one that touches the outermost corner, and the eye lies where opposite planes meet (or
+    // farther back).
+    Sides sides;
+    for (const Box3& box : boxes) {
+        sides.include(box, middle, axes, slope_x, slope_y);
     }
-    distance = std::max(distance, 1e-6);
-    camera.height_m = 2.0 * half_height;
-    camera.eye = middle - distance * forward;
-    const std::array<double, 2> range = depth_range(seen, camera.eye, forward);
-    const double extent = std::max(glm::length(seen.high - seen.low), 1e-6);
-    if (camera.projection == Projection::perspective) {
-        camera.near_m = std::max(0.5 * range[0], 1e-4 * extent);
-    } else {
-        camera.near_m = range[0] - 0.05 * extent;
+    constexpr double margin = 1.04;
+    const double extent = std::max(glm::length(all.high - all.low), 1e-6);
+    double distance = 2.0 * extent;  // orthographic: only the near plane depends on it
+    if (perspective) {
+        distance = margin * std::max((sides.right + sides.left) / (2.0 * slope_x),
+                                     (sides.top + sides.bottom) / (2.0 * slope_y));
+        distance = std::max(distance, 1e-6);
     }
+    camera.height_m =
+        margin * std::max({(sides.right + sides.left) / aspect, sides.top + sides.bottom, 1e-9});
+    camera.target = middle + 0.5 * (sides.right - sides.left) * axes.right +
+                    0.5 * (sides.top - sides.bottom) * axes.up;
+    camera.eye = camera.target - distance * forward;
+    const std::array<double, 2> range = depth_range(all, camera.eye, forward);
+    camera.near_m =
+        perspective ? std::max(0.5 * range[0], 1e-4 * extent) : range[0] - 0.05 * extent;
     return camera;
 }
 
-std::optional<Camera> find_camera(std::string_view text, const Box3& box, const Camera& like, PixelSize size) {
+Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up,
+                  const Camera& like, PixelSize size) {
+    return fit_camera(std::span(&box, 1), direction, up, like, size);
+}
+
+std::optional<Camera> find_camera(std::string_view text, std::span<const Box3> boxes,
+                                  const Camera& like, PixelSize size) {
     for (const NamedView& named : named_views) {
         if (named.name == text) {
-            return fit_camera(box, named.direction, named.up, like, size);
+            return fit_camera(boxes, named.direction, named.up, like, size);
         }
     }
     const std::optional<std::array<double, 9>> numbers = parse_numbers(text);
@@ -160,6 +218,11 @@ std::optional<Camera> find_camera(std::string_view text, const Box3& box, const 
         camera.near_m = 0.0;
     }
     return camera;
+}
+
+std::optional<Camera> find_camera(std::string_view text, const Box3& box, const Camera& like,
+                                  PixelSize size) {
+    return find_camera(text, std::span(&box, 1), like, size);
 }
 
 }  // namespace quartic

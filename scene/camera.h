@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace quartic {
@@ -17,7 +18,8 @@ struct Camera {
     Projection projection = Projection::perspective;
     double fov_y = 0.6;     // radians, perspective
     double height_m = 1.0;  // of the picture, orthographic
-    double near_m = 0.01;   // depth of the near plane; > 0 in perspective, any number in orthographic
+    double near_m =
+        0.01;  // depth of the near plane; > 0 in perspective, any number in orthographic
 };
 
 struct PixelSize {
@@ -25,10 +27,11 @@ struct PixelSize {
     int height = 0;
 };
 
-// A camera resolved for a picture: unit axes in the world, x right, y up, z backwards (out of the picture).
+// A camera resolved for a picture: unit axes in the world, x right, y up, z backwards (out of the
+// picture).
 //
-// Pixel (x, y), counted from the lower left, has its centre at (x + 0.5, y + 0.5). The parameter t of a pixel's ray is
-// its view depth: the distance from the eye's plane, in both projections.
+// Pixel (x, y), counted from the lower left, has its centre at (x + 0.5, y + 0.5). The parameter t
+// of a pixel's ray is its view depth: the distance from the eye's plane, in both projections.
 struct View {
     glm::dvec3 eye;
     glm::dvec3 right;
@@ -37,7 +40,8 @@ struct View {
     Projection projection;
     double step;  // of a pixel: tangent (perspective) or metres (orthographic)
     double near_m;
-    double far_m;  // depth of the farthest thing, which orthographic depth buffers need; perspective sees to infinity
+    double far_m;  // depth of the farthest thing, which orthographic depth buffers need;
+                   // perspective sees to infinity
     PixelSize size;
 };
 
@@ -54,13 +58,21 @@ double buffer_depth(const View& view, double depth_m);
 double depth_from_buffer(const View& view, double buffer_depth);
 
 // The least and the greatest depth of a box for an eye that looks along forward (unit).
-std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye, const glm::dvec3& forward);
+std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye,
+                                  const glm::dvec3& forward);
 
-// Looks along a direction at the middle of a box, so that all of it is in the picture.
-Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up, const Camera& like,
-                  PixelSize size);
+// Looks along a direction so that all boxes (those of the parts, or one around them) just fill the
+// picture.
+Camera fit_camera(std::span<const Box3> boxes, const glm::dvec3& direction, const glm::dvec3& up,
+                  const Camera& like, PixelSize size);
+Camera fit_camera(const Box3& box, const glm::dvec3& direction, const glm::dvec3& up,
+                  const Camera& like, PixelSize size);
 
-// "fit", "iso", "front", "back", "left", "right", "top", "bottom", or "ex,ey,ez;tx,ty,tz;ux,uy,uz" (eye, target, up).
-std::optional<Camera> find_camera(std::string_view text, const Box3& box, const Camera& like, PixelSize size);
+// "fit", "iso", "front", "back", "left", "right", "top", "bottom", or "ex,ey,ez;tx,ty,tz;ux,uy,uz"
+// (eye, target, up).
+std::optional<Camera> find_camera(std::string_view text, std::span<const Box3> boxes,
+                                  const Camera& like, PixelSize size);
+std::optional<Camera> find_camera(std::string_view text, const Box3& box, const Camera& like,
+                                  PixelSize size);
 
 }  // namespace quartic

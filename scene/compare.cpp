@@ -1,4 +1,5 @@
-// Compares pictures with the reference; rows are shared out among threads, results added in the order of rows.
+// Compares pictures with the reference; rows are shared out among threads, results added in the
+// order of rows.
 #include "scene/compare.h"
 
 #include <algorithm>
@@ -10,7 +11,8 @@
 namespace quartic {
 namespace {
 
-// Points on a circle of tie_distance_px around a pixel's centre at which the reference is asked again.
+// Points on a circle of tie_distance_px around a pixel's centre at which the reference is asked
+// again.
 constexpr int tie_rays = 8;
 
 struct Pixel {
@@ -32,18 +34,22 @@ bool is_tie(const Reference& reference, const View& view, const Pixel& pixel) {
     return false;
 }
 
-// Whether the part that the picture shows is as near as the nearest one: within a hundredth of a pixel's footprint.
-bool is_equal_depth(const Reference& reference, const View& view, const f64::Ray& ray, std::uint32_t seen,
-                    double nearest) {
+// Whether the part that the picture shows is as near as the nearest one: within a hundredth of a
+// pixel's footprint.
+bool is_equal_depth(const Reference& reference, const View& view, const f64::Ray& ray,
+                    std::uint32_t seen, double nearest) {
     const ReferenceHit hit = reference.trace_part(ray, seen);
-    const double footprint = view.step * (view.projection == Projection::perspective ? nearest : 1.0);
+    const double footprint =
+        view.step * (view.projection == Projection::perspective ? nearest : 1.0);
     return hit.part != no_index && std::abs(hit.t - nearest) <= tie_distance_px * footprint;
 }
 
-void compare_row(const Reference& reference, const View& view, const Picture& picture, int y, Comparison& into) {
+void compare_row(const Reference& reference, const View& view, const Picture& picture, int y,
+                 Comparison& into) {
     for (int x = 0; x < picture.size.width; ++x) {
-        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
-                               static_cast<std::size_t>(x);
+        const std::size_t at =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
+            static_cast<std::size_t>(x);
         const f64::Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
         const ReferenceHit truth = reference.trace(ray);
         const std::uint32_t seen = picture.ids[at];
@@ -51,16 +57,19 @@ void compare_row(const Reference& reference, const View& view, const Picture& pi
         if (seen == truth.part) {
             if (seen != no_index) {
                 const double cosine = glm::dot(glm::dvec3(picture.normals[at]), truth.normal);
-                const double sine = glm::length(glm::cross(glm::dvec3(picture.normals[at]), truth.normal));
-                into.depth_errors.push_back(
-                    static_cast<float>(std::abs(static_cast<double>(picture.depth_m[at]) - truth.t) /
-                                       std::max(std::abs(truth.t), 1e-12)));
+                const double sine =
+                    glm::length(glm::cross(glm::dvec3(picture.normals[at]), truth.normal));
+                into.depth_errors.push_back(static_cast<float>(
+                    std::abs(static_cast<double>(picture.depth_m[at]) - truth.t) /
+                    std::max(std::abs(truth.t), 1e-12)));
                 into.normal_errors_deg.push_back(
                     static_cast<float>(std::atan2(sine, cosine) * 180.0 / std::numbers::pi));
             }
             continue;
         }
-        HardAndTie& kind = seen == no_index ? into.missed : truth.part == no_index ? into.false_hits : into.wrong_id;
+        HardAndTie& kind = seen == no_index         ? into.missed
+                           : truth.part == no_index ? into.false_hits
+                                                    : into.wrong_id;
         const bool both = seen != no_index && truth.part != no_index;
         const bool tie = is_tie(reference, view, {x, y, seen}) ||
                          (both && is_equal_depth(reference, view, ray, seen, truth.t));
@@ -75,7 +84,8 @@ void add(const HardAndTie& from, HardAndTie& into) {
 
 }  // namespace
 
-void compare(const Reference& reference, const View& view, const Picture& picture, Comparison& into) {
+void compare(const Reference& reference, const View& view, const Picture& picture,
+             Comparison& into) {
     std::vector<Comparison> rows(static_cast<std::size_t>(picture.size.height));
     std::atomic<int> next{0};
     const auto work = [&] {
@@ -97,7 +107,8 @@ void compare(const Reference& reference, const View& view, const Picture& pictur
         add(row.missed, into.missed);
         add(row.false_hits, into.false_hits);
         add(row.wrong_id, into.wrong_id);
-        into.depth_errors.insert(into.depth_errors.end(), row.depth_errors.begin(), row.depth_errors.end());
+        into.depth_errors.insert(into.depth_errors.end(), row.depth_errors.begin(),
+                                 row.depth_errors.end());
         into.normal_errors_deg.insert(into.normal_errors_deg.end(), row.normal_errors_deg.begin(),
                                       row.normal_errors_deg.end());
     }
@@ -108,7 +119,8 @@ ErrorFigures figures(std::vector<float>& errors) {
         return {};
     }
     const auto quantile = [&](double part) {
-        const auto index = static_cast<std::ptrdiff_t>(part * static_cast<double>(errors.size() - 1));
+        const auto index =
+            static_cast<std::ptrdiff_t>(part * static_cast<double>(errors.size() - 1));
         std::nth_element(errors.begin(), errors.begin() + index, errors.end());
         return static_cast<double>(errors[static_cast<std::size_t>(index)]);
     };

@@ -34,11 +34,12 @@ struct Comparison {
     HardAndTie missed;
     HardAndTie false_hits;
     HardAndTie wrong_id;
-    std::vector<float> depth_errors;       // relative, where both hit the same part
+    std::vector<float> depth_errors;  // relative, where both hit the same part
     std::vector<float> normal_errors_deg;
 };
 
-void compare(const Reference& reference, const View& view, const Picture& picture, Comparison& into);
+void compare(const Reference& reference, const View& view, const Picture& picture,
+             Comparison& into);
 ErrorFigures figures(std::vector<float>& errors);
 
 }  // namespace quartic

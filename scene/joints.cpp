@@ -12,7 +12,8 @@ namespace {
 // (joint_overlap_max in primitives/ray.glsl), so a wider gap would let the eye in.
 constexpr double gap_max_m = 1e-4;
 constexpr double gap_of_radius_max = 0.02;
-constexpr double radius_slack = 1.001;   // an end hides a neighbour's cap that is wider by this at the most
+constexpr double radius_slack =
+    1.001;  // an end hides a neighbour's cap that is wider by this at the most
 constexpr double facing_cosine = -0.9999995;  // normals opposite within 0.06 degrees
 constexpr double flare_slack = 1e-3;
 
@@ -63,12 +64,14 @@ struct CellHash {
 
 CellKey cell_of(const glm::dvec3& p) {
     constexpr double cell_m = 2.0 * gap_max_m;
-    return {static_cast<std::int64_t>(std::floor(p.x / cell_m)), static_cast<std::int64_t>(std::floor(p.y / cell_m)),
+    return {static_cast<std::int64_t>(std::floor(p.x / cell_m)),
+            static_cast<std::int64_t>(std::floor(p.y / cell_m)),
             static_cast<std::int64_t>(std::floor(p.z / cell_m))};
 }
 
 bool is_opaque(const Scene& scene, const Part& part) {
-    return part.material >= scene.materials.size() || scene.materials[part.material].colour.a >= 1.0f;
+    return part.material >= scene.materials.size() ||
+           scene.materials[part.material].colour.a >= 1.0f;
 }
 
 bool may_join(const Scene& scene, const PlacedEnd& a, const PlacedEnd& b) {
@@ -102,7 +105,8 @@ JointCounts find_joints(Scene& scene) {
         bool smooth = false;
         const CellKey home = cell_of(end.centre);
         for (int neighbour = 0; neighbour < 27; ++neighbour) {
-            const CellKey key{home.x + neighbour % 3 - 1, home.y + neighbour / 3 % 3 - 1, home.z + neighbour / 9 - 1};
+            const CellKey key{home.x + neighbour % 3 - 1, home.y + neighbour / 3 % 3 - 1,
+                              home.z + neighbour / 9 - 1};
             const auto [first, last] = cells.equal_range(key);
             for (auto at = first; at != last; ++at) {
                 const PlacedEnd& other = ends[at->second];
@@ -111,7 +115,8 @@ JointCounts find_joints(Scene& scene) {
                 }
                 joined = true;
                 open = open || end.radius <= radius_slack * other.radius;
-                const bool same_circle = std::abs(end.radius - other.radius) <= (radius_slack - 1.0) * end.radius;
+                const bool same_circle =
+                    std::abs(end.radius - other.radius) <= (radius_slack - 1.0) * end.radius;
                 smooth = smooth || (same_circle && std::abs(end.flare + other.flare) < flare_slack);
             }
         }

@@ -35,8 +35,9 @@ std::uint64_t morton_code(const glm::dvec3& unit) {
     return code;
 }
 
-// Positions are rounded to a grid that is the same wherever the model lies, so that moving a model moves its picture
-// exactly. Within a chunk the grid is exact in float: it is at most 2^-20 m (a micrometre) up to 16 m from the origin.
+// Positions are rounded to a grid that is the same wherever the model lies, so that moving a model
+// moves its picture exactly. Within a chunk the grid is exact in float: it is at most 2^-20 m (a
+// micrometre) up to 16 m from the origin.
 struct Grid {
     double step;
     double reach;  // of a chunk from its origin
@@ -57,7 +58,8 @@ int largest_component(const glm::dquat& q) {
     return static_cast<int>(std::max_element(components, components + 4) - components);
 }
 
-gpu::Placement make_placement(const Part& part, std::uint32_t id, const glm::dvec3& position, std::uint32_t chunk) {
+gpu::Placement make_placement(const Part& part, std::uint32_t id, const glm::dvec3& position,
+                              std::uint32_t chunk) {
     const glm::dquat& q = part.placement.rotation;
     const double components[] = {q.x, q.y, q.z, q.w};
     const int largest = largest_component(q);
@@ -78,7 +80,8 @@ gpu::Placement make_placement(const Part& part, std::uint32_t id, const glm::dve
     placement.part = id;
     placement.bits = (part.open_ends & gpu::open_ends_mask) |
                      static_cast<std::uint32_t>(part.smooth_ends & 3) << gpu::smooth_ends_shift |
-                     static_cast<std::uint32_t>(largest) << gpu::rotation_largest_shift | chunk << gpu::chunk_shift;
+                     static_cast<std::uint32_t>(largest) << gpu::rotation_largest_shift |
+                     chunk << gpu::chunk_shift;
     return placement;
 }
 
@@ -107,12 +110,12 @@ FloatShape float_shape(const Scene& scene, const Part& part) {
     if (part.type == ShapeType::mesh) {
         return result;
     }
-#define SHAPE(id, Type, name)                                                                      \
-    if (part.type == ShapeType::name) {                                                            \
-        const f32::Type shape = narrow<f32::Type>(scene.shapes.name[part.shape]);                  \
-        std::memcpy(result.scalars, &shape, sizeof(shape));                                        \
-        result.bytes = sizeof(shape);                                                              \
-        result.hull_rings = f32().hull_rings(shape);                                               \
+#define SHAPE(id, Type, name)                                                     \
+    if (part.type == ShapeType::name) {                                           \
+        const f32::Type shape = narrow<f32::Type>(scene.shapes.name[part.shape]); \
+        std::memcpy(result.scalars, &shape, sizeof(shape));                       \
+        result.bytes = sizeof(shape);                                             \
+        result.hull_rings = f32().hull_rings(shape);                              \
     }
 #include "primitives/catalog.h"
 #undef SHAPE
@@ -165,8 +168,9 @@ private:
         for (std::size_t i = 0; i < codes.size(); ++i) {
             codes[i] = morton_code((scene_.parts[i].placement.position - box.low) / size);
         }
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return std::tie(codes[a], a) < std::tie(codes[b], b); });
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::tie(codes[a], a) < std::tie(codes[b], b);
+        });
         return order;
     }
 
@@ -179,13 +183,18 @@ private:
                 return last;
             }
         }
-        return packed_.chunks.emplace_back(Chunk{position, static_cast<std::uint32_t>(packed_.bounds.size()), 0});
+        return packed_.chunks.emplace_back(
+            Chunk{position, static_cast<std::uint32_t>(packed_.bounds.size()), 0});
     }
 
     Batch& batch_of(const Part& part, const FloatShape& shape, std::uint32_t& index) {
-        const Material* material = part.material < scene_.materials.size() ? &scene_.materials[part.material] : nullptr;
-        const bool transparent = !options_.transparent_as_opaque && material != nullptr && material->colour.a < 1.0f;
-        int solver = options_.solver != 0 ? options_.solver : material != nullptr ? material->solver : 0;
+        const Material* material =
+            part.material < scene_.materials.size() ? &scene_.materials[part.material] : nullptr;
+        const bool transparent =
+            !options_.transparent_as_opaque && material != nullptr && material->colour.a < 1.0f;
+        int solver = options_.solver != 0  ? options_.solver
+                     : material != nullptr ? material->solver
+                                           : 0;
         solver = solver != 0 ? solver : solver_default;
         const int rings = shape.hull_rings <= 4 ? shape.hull_rings : shape.hull_rings <= 7 ? 7 : 13;
         const auto key = std::tuple(part.type, solver, transparent, rings);
@@ -201,7 +210,8 @@ private:
         index = static_cast<std::uint32_t>(packed_.batches.size());
         CHECK(index < batches_max);
         batch_index_[key] = index;
-        return packed_.batches.emplace_back(Batch{part.type, solver, transparent, rings, 0, bytes, {}});
+        return packed_.batches.emplace_back(
+            Batch{part.type, solver, transparent, rings, 0, bytes, {}});
     }
 
     void add(std::uint32_t id) {
@@ -218,8 +228,9 @@ private:
         std::uint32_t batch_index = 0;
         Batch& batch = batch_of(part, shape, batch_index);
 
-        const gpu::Placement placement = make_placement(part, id, position - chunk.origin,
-                                                        static_cast<std::uint32_t>(packed_.chunks.size() - 1));
+        const gpu::Placement placement =
+            make_placement(part, id, position - chunk.origin,
+                           static_cast<std::uint32_t>(packed_.chunks.size() - 1));
         const std::size_t at = batch.records.size();
         batch.records.resize(at + batch.record_bytes);
         std::memcpy(batch.records.data() + at, &placement, sizeof(placement));

@@ -1,4 +1,5 @@
-// The document as the GPU wants it: float records relative to chunk origins, batched by shape and solver.
+// The document as the GPU wants it: float records relative to chunk origins, batched by shape and
+// solver.
 #pragma once
 
 #include "scene/scene.h"
@@ -9,7 +10,8 @@
 
 namespace quartic {
 
-// Parts that lie close together, at most chunk_parts_max, with the double origin of their float positions.
+// Parts that lie close together, at most chunk_parts_max, with the double origin of their float
+// positions.
 struct Chunk {
     glm::dvec3 origin;
     std::uint32_t first = 0;  // in Packed::bounds
@@ -26,7 +28,8 @@ struct PackedBounds {
 };
 static_assert(sizeof(PackedBounds) == 32);
 
-// Records of one shape, one solver and one kind of drawing. Each record is a gpu::Placement and the float shape.
+// Records of one shape, one solver and one kind of drawing. Each record is a gpu::Placement and the
+// float shape.
 struct Batch {
     ShapeType type = ShapeType::mesh;
     int solver = 0;
@@ -52,12 +55,12 @@ struct Packed {
     std::vector<Chunk> chunks;
     std::vector<PackedBounds> bounds;
     std::vector<Batch> batches;
-    std::vector<PackedMesh> meshes;            // one for each record of the mesh batches, batch after batch
+    std::vector<PackedMesh> meshes;  // one for each record of the mesh batches, batch after batch
     std::vector<MeshVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<std::uint32_t> part_materials; // by part id
-    std::vector<glm::vec4> materials;          // linear colours
-    Box3 box;                                  // of all parts
+    std::vector<std::uint32_t> part_materials;  // by part id
+    std::vector<glm::vec4> materials;           // linear colours
+    Box3 box;                                   // of all parts
 };
 
 struct PackOptions {

@@ -1,4 +1,5 @@
-// The reference ray caster: Embree finds candidate parts by their boxes, the shared texts in double decide.
+// The reference ray caster: Embree finds candidate parts by their boxes, the shared texts in double
+// decide.
 #include "scene/reference.h"
 
 #include "diagnostics/check.h"
@@ -41,7 +42,8 @@ ReferenceHit hit_triangle(const f64::Ray& ray, const Mesh& mesh, std::size_t fir
     }
     hit.t = t;
     hit.normal = glm::normalize((1.0 - u - v) * glm::dvec3(mesh.normals[corner[0]]) +
-                                u * glm::dvec3(mesh.normals[corner[1]]) + v * glm::dvec3(mesh.normals[corner[2]]));
+                                u * glm::dvec3(mesh.normals[corner[1]]) +
+                                v * glm::dvec3(mesh.normals[corner[2]]));
     return hit;
 }
 
@@ -84,10 +86,11 @@ struct Reference::State {
     ReferenceHit trace_part(const f64::Ray& world, std::uint32_t id) const {
         const Part& part = scene->parts[id];
         const glm::dquat& rotation = part.placement.rotation;
-        f64::Ray ray{turn_back(rotation, world.origin - part.placement.position), turn_back(rotation, world.direction),
-                     world.first};
+        f64::Ray ray{turn_back(rotation, world.origin - part.placement.position),
+                     turn_back(rotation, world.direction), world.first};
         // Measured from near the part, as the kernel asks.
-        const double shift = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
+        const double shift =
+            -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
         ray.origin += shift * ray.direction;
         ray.first -= shift;
         ReferenceHit hit;
@@ -110,7 +113,8 @@ struct Reference::State {
         if (solver != 0) {
             return solver;
         }
-        const int own = part.material < scene->materials.size() ? scene->materials[part.material].solver : 0;
+        const int own =
+            part.material < scene->materials.size() ? scene->materials[part.material].solver : 0;
         return own != 0 ? own : solver_default;
     }
 
@@ -129,9 +133,9 @@ struct Reference::State {
         const State& state = *static_cast<const State*>(arguments->geometryUserPtr);
         Query& query = *reinterpret_cast<Query*>(arguments->context);
         const ReferenceHit hit = state.trace_part(query.ray, state.parts[arguments->primID]);
-        const bool nearer = hit.part != no_index &&
-                            (query.nearest.part == no_index || hit.t < query.nearest.t ||
-                             (hit.t == query.nearest.t && hit.part < query.nearest.part));
+        const bool nearer =
+            hit.part != no_index && (query.nearest.part == no_index || hit.t < query.nearest.t ||
+                                     (hit.t == query.nearest.t && hit.part < query.nearest.part));
         if (!nearer) {
             return;
         }
@@ -163,7 +167,8 @@ Reference::Reference(const Scene& scene, const std::array<bool, layer_count>& la
     }
     state.origin = all.empty() ? glm::dvec3(0.0) : 0.5 * (all.low + all.high);
     // Eyes may be several extents away; float directions err by 6e-8 of that.
-    state.slack = all.empty() ? 0.0 : 1e-5 * glm::length(all.high - all.low) + 2.0 * f64().joint_overlap_max;
+    state.slack =
+        all.empty() ? 0.0 : 1e-5 * glm::length(all.high - all.low) + 2.0 * f64().joint_overlap_max;
     state.device = rtcNewDevice(nullptr);
     CHECK(state.device != nullptr);
     state.bvh = rtcNewScene(state.device);
@@ -171,9 +176,12 @@ Reference::Reference(const Scene& scene, const std::array<bool, layer_count>& la
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(state.parts.size()));
     rtcSetGeometryUserData(geometry, &state);
     rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* arguments) { State::box_callback(arguments); }, nullptr);
-    rtcSetGeometryIntersectFunction(
-        geometry, [](const RTCIntersectFunctionNArguments* arguments) { State::hit_callback(arguments); });
+        geometry,
+        [](const RTCBoundsFunctionArguments* arguments) { State::box_callback(arguments); },
+        nullptr);
+    rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* arguments) {
+        State::hit_callback(arguments);
+    });
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(state.bvh, geometry);
     rtcReleaseGeometry(geometry);
@@ -188,7 +196,8 @@ ReferenceHit Reference::trace(const f64::Ray& ray) const {
     rtcInitIntersectContext(&query.context);
     query.ray = ray;
     RTCRayHit ray_hit{};
-    // From the near plane on, which in orthographic views may lie behind the eye: Embree's rays start at 0.
+    // From the near plane on, which in orthographic views may lie behind the eye: Embree's rays
+    // start at 0.
     const glm::vec3 start(ray.origin + ray.first * ray.direction - state_->origin);
     const glm::vec3 direction(ray.direction);
     ray_hit.ray.org_x = start.x;

@@ -1,4 +1,5 @@
-// The oracle: a ray caster in double over the scene, on the texts that the GPU runs. Also a renderer without a GPU.
+// The oracle: a ray caster in double over the scene, on the texts that the GPU runs. Also a
+// renderer without a GPU.
 #pragma once
 
 #include "scene/camera.h"
@@ -16,11 +17,13 @@ struct ReferenceHit {
 // Keeps a reference to the scene, which must outlive it and not change.
 class Reference {
 public:
-    explicit Reference(const Scene& scene, const std::array<bool, layer_count>& layers, int solver = 0);
+    explicit Reference(const Scene& scene, const std::array<bool, layer_count>& layers,
+                       int solver = 0);
     Reference(Reference&&) noexcept;
     ~Reference();
 
-    // The nearest hit at t >= ray.first, or none (part == no_index). World coordinates. Safe from several threads.
+    // The nearest hit at t >= ray.first, or none (part == no_index). World coordinates. Safe from
+    // several threads.
     ReferenceHit trace(const f64::Ray& ray) const;
 
     // The hit with this part alone.

@@ -41,17 +41,27 @@ Box3 world_bounds(const Scene& scene, const Part& part) {
     const glm::dmat3 axes = glm::mat3_cast(part.placement.rotation);
     const glm::dvec3 half = 0.5 * (local.high - local.low);
     const glm::dvec3 centre = part.placement.position + axes * (0.5 * (local.low + local.high));
-    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    const glm::dvec3 reach =
+        glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
     return {centre - reach, centre + reach};
+}
+
+std::vector<Box3> part_boxes(const Scene& scene, const std::array<bool, layer_count>& layers) {
+    std::vector<Box3> boxes;
+    boxes.reserve(scene.parts.size());
+    for (const Part& part : scene.parts) {
+        const Box3 box =
+            layers[static_cast<std::size_t>(part.layer)] ? world_bounds(scene, part) : Box3{};
+        if (!box.empty()) {
+            boxes.push_back(box);
+        }
+    }
+    return boxes;
 }
 
 Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layers) {
     Box3 all;
-    for (const Part& part : scene.parts) {
-        if (!layers[static_cast<std::size_t>(part.layer)]) {
-            continue;
-        }
-        const Box3 box = world_bounds(scene, part);
+    for (const Box3& box : part_boxes(scene, layers)) {
         all.low = glm::min(all.low, box.low);
         all.high = glm::max(all.high, box.high);
     }

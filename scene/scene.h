@@ -1,4 +1,5 @@
-// The document: what a model contains, in double and in metres and radians, z up; nothing of how it is drawn.
+// The document: what a model contains, in double and in metres and radians, z up; nothing of how it
+// is drawn.
 #pragma once
 
 #include "diagnostics/findings.h"
@@ -22,7 +23,8 @@ struct Placement {
 
 constexpr std::uint32_t no_index = 0xffffffff;
 
-// An element of the model's hierarchy (an RVM group, an assembly). Parents stand before their children.
+// An element of the model's hierarchy (an RVM group, an assembly). Parents stand before their
+// children.
 struct Node {
     StringPool::Id name = 0;
     std::uint32_t parent = no_index;
@@ -83,13 +85,13 @@ struct Scene {
     std::vector<Part> parts;  // a part's index is its id
     StringPool strings;
 
-    std::vector<std::string> kinds;  // names of the source's kinds, e.g. "cylinder", "line"
+    std::vector<std::string> kinds;          // names of the source's kinds, e.g. "cylinder", "line"
     std::vector<std::uint64_t> kind_counts;  // how many of each the source held, drawn or not
     std::vector<Outcome> outcomes;
     Findings findings;
     std::string unit = "m";  // of the source; the scene itself is in metres
     std::string up_axis = "z";
-    std::string title;       // what the source calls itself
+    std::string title;  // what the source calls itself
 };
 
 // Places a new shape; returns the part's index. The shape must have no fault (find_fault).
@@ -114,6 +116,9 @@ struct Box3 {
 // The tight world box of a part's rotated local box, and of all visible parts.
 Box3 world_bounds(const Scene& scene, const Part& part);
 Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layers);
+
+// The boxes of all visible parts.
+std::vector<Box3> part_boxes(const Scene& scene, const std::array<bool, layer_count>& layers);
 
 // Joins names from the root: "/SITE/ZONE/PIPE-1".
 std::string path_of(const Scene& scene, std::uint32_t node);

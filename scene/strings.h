@@ -27,7 +27,9 @@ public:
         return std::string_view(text_).substr(starts_[id], starts_[id + 1] - starts_[id]);
     }
     std::size_t size() const { return starts_.size() - 1; }
-    std::size_t bytes() const { return text_.capacity() + starts_.capacity() * sizeof(std::uint64_t); }
+    std::size_t bytes() const {
+        return text_.capacity() + starts_.capacity() * sizeof(std::uint64_t);
+    }
 
 private:
     std::string text_;

@@ -3,36 +3,48 @@
 #include "shaders/camera.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = binding_chunks) readonly buffer Chunks { ChunkBlock chunks[]; };
-layout(std430, binding = binding_bounds) readonly buffer BoundsBuffer { BoundsBlock bounds[]; };
-layout(std430, binding = binding_batches) readonly buffer Batches { BatchBlock batches[]; };
-layout(std430, binding = binding_visible) writeonly buffer Visible { uint visible[]; };
-layout(std430, binding = binding_near) writeonly buffer Near { uint near_parts[]; };
-layout(std430, binding = binding_commands) buffer Commands { Command commands[]; };
-layout(std430, binding = binding_counts) buffer Counts { CountsBlock counts; };
+layout(std430, binding = binding_chunks) readonly buffer Chunks {
+    ChunkBlock chunks[];
+};
+layout(std430, binding = binding_bounds) readonly buffer BoundsBuffer {
+    BoundsBlock bounds[];
+};
+layout(std430, binding = binding_batches) readonly buffer Batches {
+    BatchBlock batches[];
+};
+layout(std430, binding = binding_visible) writeonly buffer Visible {
+    uint visible[];
+};
+layout(std430, binding = binding_near) writeonly buffer Near {
+    uint near_parts[];
+};
+layout(std430, binding = binding_commands) buffer Commands {
+    Command commands[];
+};
+layout(std430, binding = binding_counts) buffer Counts {
+    CountsBlock counts;
+};
 
 // The bounds are bound in pages: what this dispatch begins with.
 layout(location = 0) uniform uint first_chunk;
 layout(location = 1) uniform uint first_bounds;
 
-// Parts that appear larger than this are rasterised by their hulls, which cost more vertices and fewer pixels.
+// Parts that appear larger than this are rasterised by their hulls, which cost more vertices and
+// fewer pixels.
 const float hull_size_min_px = 24.0;
 
 // A box relative to the eye: depth of its centre and half extent along the view.
-struct Seen
-{
+struct Seen {
     bool inside;
     float nearest_depth;
     float size_px;
 };
 
-bool beyond(vec3 outward, float limit, vec3 centre, vec3 half_size)
-{
+bool beyond(vec3 outward, float limit, vec3 centre, vec3 half_size) {
     return dot(outward, centre) - dot(abs(outward), half_size) > limit;
 }
 
-Seen look_at(vec3 centre, vec3 half_size)
-{
+Seen look_at(vec3 centre, vec3 half_size) {
     vec3 right = vec3(camera.right.xyz);
     vec3 up = vec3(camera.up.xyz);
     vec3 back = vec3(camera.back.xyz);
@@ -51,7 +63,8 @@ Seen look_at(vec3 centre, vec3 half_size)
         vec2 limit = half_picture + float(camera.step) + slack;
         seen.size_px = largest / float(camera.step);
         seen.inside = seen.inside && !beyond(right, limit.x, centre, half_size) &&
-                      !beyond(-right, limit.x, centre, half_size) && !beyond(up, limit.y, centre, half_size) &&
+                      !beyond(-right, limit.x, centre, half_size) &&
+                      !beyond(up, limit.y, centre, half_size) &&
                       !beyond(-up, limit.y, centre, half_size);
     } else {
         vec2 limit = half_picture + float(camera.step);
@@ -66,8 +79,7 @@ Seen look_at(vec3 centre, vec3 half_size)
 }
 
 // Takes the next place in a command's list, and a new instance with every first place of one.
-uint take_slot(uint command)
-{
+uint take_slot(uint command) {
     uint slot = atomicAdd(commands[command].part_count, 1u);
     if (slot % parts_per_instance == 0u) {
         atomicAdd(commands[command].instance_count, 1u);
@@ -75,8 +87,7 @@ uint take_slot(uint command)
     return slot;
 }
 
-void draw(uint locator, Seen seen)
-{
+void draw(uint locator, Seen seen) {
     BatchBlock batch = batches[locator >> locator_shift];
     uint index = locator & ((1u << locator_shift) - 1u);
     if (batch.drawn_as == drawn_as_mesh) {
@@ -93,8 +104,7 @@ void draw(uint locator, Seen seen)
     }
 }
 
-void main()
-{
+void main() {
     ChunkBlock chunk = chunks[first_chunk + gl_WorkGroupID.x];
     vec3 from_eye = vec3(dvec3(chunk.x, chunk.y, chunk.z) - camera.eye.xyz);
     for (uint i = gl_LocalInvocationID.x; i < chunk.count; i += gl_WorkGroupSize.x) {

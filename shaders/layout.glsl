@@ -1,52 +1,49 @@
 // Buffers and binding numbers that C++ (in namespace quartic::gpu) and the shaders share.
 //
-// Only scalars and 32-byte vectors of doubles, so that std140, std430 and C++ agree; render/layout_check.cpp and a test
-// on the GPU compare sizes and offsets.
+// Only scalars and 32-byte vectors of doubles, so that std140, std430 and C++ agree;
+// render/layout_check.cpp and a test on the GPU compare sizes and offsets.
 
 // A part's place in its chunk: followed in its record by the float shape.
-struct Placement
-{
-    float x;       // metres from the chunk's origin
+struct Placement {
+    float x;  // metres from the chunk's origin
     float y;
     float z;
     float turn_a;  // rotation, as primitives/placement.glsl says
     float turn_b;
     float turn_c;
-    uint part;     // its id in the scene
-    uint bits;     // see the masks below
+    uint part;  // its id in the scene
+    uint bits;  // see the masks below
 };
-const uint open_ends_mask = 3u;         // bit i: end i has no cap
-const uint smooth_ends_shift = 2u;      // two bits: the wall goes on smoothly at end i
-const uint rotation_largest_shift = 4u; // two bits: which component of the quaternion is left out
-const uint chunk_shift = 6u;            // the rest: the chunk's index
+const uint open_ends_mask = 3u;          // bit i: end i has no cap
+const uint smooth_ends_shift = 2u;       // two bits: the wall goes on smoothly at end i
+const uint rotation_largest_shift = 4u;  // two bits: which component of the quaternion is left out
+const uint chunk_shift = 6u;             // the rest: the chunk's index
 
 // What a frame is drawn from. Doubles where the plant's coordinates are subtracted.
-struct CameraBlock
-{
+struct CameraBlock {
     dvec4 eye;    // world
     dvec4 right;  // unit axes in the world
     dvec4 up;
     dvec4 back;
-    double step;        // of a pixel: tangent, or metres in orthographic projection
+    double step;  // of a pixel: tangent, or metres in orthographic projection
     double near_depth;
-    double far_depth;   // orthographic only
+    double far_depth;  // orthographic only
     double unused_0;
     double half_width;  // of the picture in pixels
     double half_height;
-    double jitter_x;    // of all rays, in pixels
+    double jitter_x;  // of all rays, in pixels
     double jitter_y;
     int orthographic;
     float size_min_px;  // smaller parts are culled; 0: none
     uint layer_mask;    // bit i: layer i is visible
     uint cull_frustum;
     uint part_count;
-    uint selected;      // part drawn highlighted, or all ones
+    uint selected;  // part drawn highlighted, or all ones
     uint edges;
     uint occlusion;
 };
 
-struct ChunkBlock
-{
+struct ChunkBlock {
     double x;  // origin in the world
     double y;
     double z;
@@ -54,12 +51,11 @@ struct ChunkBlock
     uint count;
 };
 
-struct BoundsBlock
-{
+struct BoundsBlock {
     float centre_x;  // from the chunk's origin
     float centre_y;
     float centre_z;
-    uint locator;    // batch << 24 | index in the batch
+    uint locator;  // batch << 24 | index in the batch
     float half_x;
     float half_y;
     float half_z;
@@ -68,8 +64,7 @@ struct BoundsBlock
 const uint locator_shift = 24u;
 
 // One indirect draw, in the order that OpenGL reads, and how many parts it draws.
-struct Command
-{
+struct Command {
     uint index_count;
     uint instance_count;
     uint first_index;
@@ -79,17 +74,18 @@ struct Command
     uint unused_0;
     uint unused_1;
 };
-// The commands of a batch: small parts by their boxes, large ones by their hulls, those at the near plane from inside.
+// The commands of a batch: small parts by their boxes, large ones by their hulls, those at the near
+// plane from inside.
 const int command_box = 0;
 const int command_hull = 1;
 const int command_near = 2;
 const int commands_per_batch = 3;
 
-// Instances of an indirect draw hold this many parts each: single parts would each cost a driver a draw.
+// Instances of an indirect draw hold this many parts each: single parts would each cost a driver a
+// draw.
 const uint parts_per_instance = 64u;
 
-struct BatchBlock
-{
+struct BatchBlock {
     uint first;  // in the lists of visible parts
     uint count;
     uint first_command;
@@ -100,8 +96,7 @@ const uint drawn_as_rays = 0u;
 const uint drawn_as_mesh = 1u;        // one command a part instead of three a batch
 const uint drawn_as_polyhedron = 2u;  // by its own facets, wherever the near plane does not cut it
 
-struct CountsBlock
-{
+struct CountsBlock {
     uint drawn;
     uint culled_by_frustum;
     uint culled_by_size;

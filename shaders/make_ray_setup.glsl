@@ -1,12 +1,10 @@
 // Makes the rays' set-up in the vertex shader, in double; ray_setup.glsl says what it holds.
-dvec3 across_picture(dvec2 offset_px)
-{
+dvec3 across_picture(dvec2 offset_px) {
     return offset_px.x * camera.step * camera.right.xyz + offset_px.y * camera.step * camera.up.xyz;
 }
 
 // centre is the part's origin relative to the eye; low and high its local box.
-RaySetup make_ray_setup(dvec3 centre, dvec4 rotation, dvec3 low, dvec3 high)
-{
+RaySetup make_ray_setup(dvec3 centre, dvec4 rotation, dvec3 low, dvec3 high) {
     dvec2 half_size = dvec2(camera.half_width, camera.half_height);
     dvec2 jitter = dvec2(camera.jitter_x, camera.jitter_y);
     bool parallel = camera.orthographic != 0;
@@ -15,7 +13,8 @@ RaySetup make_ray_setup(dvec3 centre, dvec4 rotation, dvec3 low, dvec3 high)
     dvec3 eye = turn_back(rotation, -centre);
     dvec3 nearest = centre + turn(rotation, clamp(eye, low, high));
     double depth = -dot(camera.back.xyz, nearest);
-    dvec2 in_picture = dvec2(dot(camera.right.xyz, nearest), dot(camera.up.xyz, nearest)) / camera.step;
+    dvec2 in_picture =
+        dvec2(dot(camera.right.xyz, nearest), dot(camera.up.xyz, nearest)) / camera.step;
     dvec2 pixel = half_size;
     if (parallel) {
         pixel += in_picture;

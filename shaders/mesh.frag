@@ -6,7 +6,6 @@
 flat in uint part;
 in vec3 normal;
 
-void main()
-{
+void main() {
     put_surface(part, normalize(normal));
 }

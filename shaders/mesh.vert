@@ -7,15 +7,16 @@
 #include "shaders/camera.glsl"
 #include "shaders/records.glsl"
 
-layout(std430, binding = binding_records) readonly buffer Records { Placement records[]; };
+layout(std430, binding = binding_records) readonly buffer Records {
+    Placement records[];
+};
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 vertex_normal;
 
 flat out uint part;
 out vec3 normal;
 
-void main()
-{
+void main() {
     Placement placement = records[gl_BaseInstanceARB];
     dvec4 rotation = exact_rotation_of(placement);
     part = placement.part;

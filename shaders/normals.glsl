@@ -1,18 +1,15 @@
 // Unit normals in 32 bits: the octahedral map, 16 bits an axis (error at most 0.003 degrees).
-vec2 signs(vec2 v)
-{
+vec2 signs(vec2 v) {
     return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0);
 }
 
-uint packed_normal(vec3 n)
-{
+uint packed_normal(vec3 n) {
     vec2 flat_n = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
     vec2 folded = n.z >= 0.0 ? flat_n : (1.0 - abs(flat_n.yx)) * signs(flat_n);
     return packSnorm2x16(folded);
 }
 
-vec3 normal_from(uint bits)
-{
+vec3 normal_from(uint bits) {
     vec2 folded = unpackSnorm2x16(bits);
     float z = 1.0 - abs(folded.x) - abs(folded.y);
     vec2 xy = z >= 0.0 ? folded : (1.0 - abs(folded.yx)) * signs(folded);

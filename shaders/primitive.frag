@@ -5,26 +5,27 @@
 #include "shaders/ray_setup.glsl"
 #include "shaders/surface_out.glsl"
 
-struct Record
-{
+struct Record {
     Placement placement;
     THIS_SHAPE shape;
 };
-layout(std430, binding = binding_records) readonly buffer Records { Record records[]; };
+layout(std430, binding = binding_records) readonly buffer Records {
+    Record records[];
+};
 
 flat in RaySetup setup;
 flat in uint record_index;
 
 #if !defined(NEAR)
-// The proxy's front faces lie before the surface: what fails the depth test there fails it everywhere.
+// The proxy's front faces lie before the surface: what fails the depth test there fails it
+// everywhere.
 layout(depth_less) out float gl_FragDepth;
 #endif
 
-void main()
-{
+void main() {
     Placement placement = records[record_index].placement;
-    Hit found = hit(records[record_index].shape, ray_of(setup, gl_FragCoord.xy), int(placement.bits & open_ends_mask),
-                    THIS_SOLVER);
+    Hit found = hit(records[record_index].shape, ray_of(setup, gl_FragCoord.xy),
+                    int(placement.bits & open_ends_mask), THIS_SOLVER);
     if (!found.found) {
         discard;
     }

@@ -1,5 +1,5 @@
-// Proxies of the parts of one batch: what is rasterised to start their rays. Defines: THIS_SHAPE, HULL_RINGS,
-// [NEAR], [FACETS].
+// Proxies of the parts of one batch: what is rasterised to start their rays. Defines: THIS_SHAPE,
+// HULL_RINGS, [NEAR], [FACETS].
 #extension GL_ARB_shader_draw_parameters : require
 #include "shaders/layout.glsl"
 #include "shaders/double_placement.glsl"
@@ -9,16 +9,25 @@
 #include "shaders/ray_setup.glsl"
 #include "shaders/make_ray_setup.glsl"
 
-struct Record
-{
+struct Record {
     Placement placement;
     THIS_SHAPE shape;
 };
-layout(std430, binding = binding_records) readonly buffer Records { Record records[]; };
-layout(std430, binding = binding_visible) readonly buffer Visible { uint visible[]; };
-layout(std430, binding = binding_near) readonly buffer Near { uint near_parts[]; };
-layout(std430, binding = binding_commands) readonly buffer Commands { Command commands[]; };
-layout(std430, binding = binding_batches) readonly buffer Batches { BatchBlock batches[]; };
+layout(std430, binding = binding_records) readonly buffer Records {
+    Record records[];
+};
+layout(std430, binding = binding_visible) readonly buffer Visible {
+    uint visible[];
+};
+layout(std430, binding = binding_near) readonly buffer Near {
+    uint near_parts[];
+};
+layout(std430, binding = binding_commands) readonly buffer Commands {
+    Command commands[];
+};
+layout(std430, binding = binding_batches) readonly buffer Batches {
+    BatchBlock batches[];
+};
 layout(location = 0) uniform uint batch_index;
 
 #ifndef FACETS
@@ -26,16 +35,17 @@ flat out RaySetup setup;
 #endif
 flat out uint record_index;
 
-// Proxies are wider than their shapes by this: a twentieth of a pixel, the joints' overlap, and float's error.
-double margin_of(dvec3 centre, Bounds box, double nearest_depth)
-{
+// Proxies are wider than their shapes by this: a twentieth of a pixel, the joints' overlap, and
+// float's error.
+double margin_of(dvec3 centre, Bounds box, double nearest_depth) {
     double size = double(length(box.high - box.low));
-    double pixel = camera.step * (camera.orthographic != 0 ? 1.0 : max(nearest_depth, camera.near_depth));
-    return 0.05 * pixel + min(double(joint_overlap_max), 0.01 * size) + 2e-6 * (size + length(centre));
+    double pixel =
+        camera.step * (camera.orthographic != 0 ? 1.0 : max(nearest_depth, camera.near_depth));
+    return 0.05 * pixel + min(double(joint_overlap_max), 0.01 * size) +
+           2e-6 * (size + length(centre));
 }
 
-void main()
-{
+void main() {
     BatchBlock batch = batches[batch_index];
 #ifdef NEAR
     int kind = command_near;
@@ -53,7 +63,8 @@ void main()
 #ifdef NEAR
     record_index = near_parts[batch.first + slot];
 #else
-    record_index = visible[kind == command_hull ? batch.first + batch.count - 1u - slot : batch.first + slot];
+    record_index =
+        visible[kind == command_hull ? batch.first + batch.count - 1u - slot : batch.first + slot];
 #endif
 
     Placement placement = records[record_index].placement;

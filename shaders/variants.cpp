@@ -10,7 +10,8 @@ namespace {
 std::string_view glsl_type(ShapeType type) {
     switch (type) {
 #define SHAPE(id, Type, name) \
-    case ShapeType::name: return #Type;
+    case ShapeType::name:     \
+        return #Type;
 #include "primitives/catalog.h"
 #undef SHAPE
         case ShapeType::mesh: break;
@@ -42,7 +43,8 @@ std::string defines_of(const PrimitiveVariant& variant) {
 ProgramText program_text(const PrimitiveVariant& variant) {
     const std::string defines = defines_of(variant);
     if (variant.type == ShapeType::mesh) {
-        return {shader_source("shaders/mesh.vert", defines), shader_source("shaders/mesh.frag", defines)};
+        return {shader_source("shaders/mesh.vert", defines),
+                shader_source("shaders/mesh.frag", defines)};
     }
     const bool facets = variant.pass == Pass::front && is_polyhedron(variant.type);
     return {shader_source("shaders/primitive.vert", defines),
@@ -50,7 +52,8 @@ ProgramText program_text(const PrimitiveVariant& variant) {
 }
 
 ProgramText resolve_text() {
-    return {shader_source("shaders/full_screen.vert", ""), shader_source("shaders/resolve.frag", "")};
+    return {shader_source("shaders/full_screen.vert", ""),
+            shader_source("shaders/resolve.frag", "")};
 }
 
 std::string cull_text() {
@@ -69,7 +72,8 @@ std::vector<NamedText> all_shader_texts() {
         add("mesh" + suffix, {ShapeType::mesh, 0, 2, transparent, Pass::front});
         for (const ShapeRow& shape : shape_table()) {
             for (const SolverRow& solver : solver_table()) {
-                const std::string name = std::string(shape.name) + "-" + std::to_string(solver.id) + suffix;
+                const std::string name =
+                    std::string(shape.name) + "-" + std::to_string(solver.id) + suffix;
                 add(name + "-front", {shape.type, solver.id, 4, transparent, Pass::front});
                 add(name + "-near", {shape.type, solver.id, 4, transparent, Pass::near});
             }

@@ -1,18 +1,20 @@
 // First root of a depressed quartic in an interval, by Newton steps that convexity keeps monotone.
 //
-// f'' = 12 t^2 + 2 c vanishes at -s and s: f is convex outside [-s, s] and concave inside. With g = f or -f such
-// that g > 0 at the start: in a convex region Newton from the left end descends monotonically to the first root,
-// and meets g' >= 0 if there is none; in a concave region a root exists exactly if g < 0 at the right end, and
-// Newton from there is monotone. So no root is jumped, whatever the interval.
+// f'' = 12 t^2 + 2 c vanishes at -s and s: f is convex outside [-s, s] and concave inside. With g =
+// f or -f such that g > 0 at the start: in a convex region Newton from the left end descends
+// monotonically to the first root, and meets g' >= 0 if there is none; in a concave region a root
+// exists exactly if g < 0 at the right end, and Newton from there is monotone. So no root is
+// jumped, whatever the interval.
 
-// Convergence is quadratic: 14 steps were the most ever seen, the bound is for rounding at double roots.
+// Convergence is quadratic: 14 steps were the most ever seen, the bound is for rounding at double
+// roots.
 const int newton_steps_max = 32;
 
-// Newton on side * f from start until a step is below the tolerance. A furthest place below huge says that there may
-// be no root: a slope that is not negative means that the minimum was passed, and so does a step beyond that place,
-// where another convexity, and with it another root, may begin.
-Root newton_monotone(Quartic f, real side, real start, real furthest, real tolerance)
-{
+// Newton on side * f from start until a step is below the tolerance. A furthest place below huge
+// says that there may be no root: a slope that is not negative means that the minimum was passed,
+// and so does a step beyond that place, where another convexity, and with it another root, may
+// begin.
+Root newton_monotone(Quartic f, real side, real start, real furthest, real tolerance) {
     Root root;
     root.found = false;
     root.t = start;
@@ -34,8 +36,7 @@ Root newton_monotone(Quartic f, real side, real start, real furthest, real toler
     return root;
 }
 
-Root first_root_convexity_split(Quartic f, real low, real high, real tolerance)
-{
+Root first_root_convexity_split(Quartic f, real low, real high, real tolerance) {
     Root root;
     root.found = false;
     root.t = low;
@@ -54,7 +55,8 @@ Root first_root_convexity_split(Quartic f, real low, real high, real tolerance)
         if (crosses) {
             return newton_monotone(f, side, convex ? left : right, huge, tolerance);
         }
-        if (convex && side * quartic_slope(f, left) < real(0) && side * quartic_slope(f, right) > real(0)) {
+        if (convex && side * quartic_slope(f, left) < real(0) &&
+            side * quartic_slope(f, right) > real(0)) {
             root = newton_monotone(f, side, left, right, tolerance);
             if (root.found) {
                 return root;

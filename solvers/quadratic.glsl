@@ -1,6 +1,6 @@
-// Real roots of a t^2 + 2 b t + c = 0 whose discriminant b^2 - a c the caller knows more exactly than this can.
-struct Roots2
-{
+// Real roots of a t^2 + 2 b t + c = 0 whose discriminant b^2 - a c the caller knows more exactly
+// than this can.
+struct Roots2 {
     real low;   // the smaller root, at least -huge
     real high;  // the larger root, at most huge
 };
@@ -8,10 +8,9 @@ struct Roots2
 // Stands for infinity: GLSL does not promise arithmetic on infinities.
 const real huge = real(1e18);
 
-// The two added terms have one sign, so nothing cancels: q carries the sign of b, and the other root is c / q.
-// With a = 0 one root is at infinity. The discriminant must not be negative.
-Roots2 solve_quadratic(real a, real b, real c, real discriminant)
-{
+// The two added terms have one sign, so nothing cancels: q carries the sign of b, and the other
+// root is c / q. With a = 0 one root is at infinity. The discriminant must not be negative.
+Roots2 solve_quadratic(real a, real b, real c, real discriminant) {
     real root = sqrt(discriminant);
     real q = b < real(0) ? root - b : -(root + b);
     bool finite = abs(q) < huge * abs(a);

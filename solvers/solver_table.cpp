@@ -5,7 +5,8 @@ namespace quartic {
 namespace {
 
 constexpr SolverRow rows[] = {
-    {1, "convexity_split", "torus", "monotone Newton on the intervals between inflections (solvers/convexity_split.glsl)"},
+    {1, "convexity_split", "torus",
+     "monotone Newton on the intervals between inflections (solvers/convexity_split.glsl)"},
 };
 
 }  // namespace

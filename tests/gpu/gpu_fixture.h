@@ -1,4 +1,5 @@
-// One headless context and renderer for all tests of a program; they are skipped aloud where there is no OpenGL.
+// One headless context and renderer for all tests of a program; they are skipped aloud where there
+// is no OpenGL.
 #pragma once
 
 #include "render/context.h"

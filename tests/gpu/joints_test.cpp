@@ -1,7 +1,7 @@
 // A pipe run has no gaps at its joints, and its normals go on smoothly where its walls do.
+#include "scene/joints.h"
 #include "generators/generate.h"
 #include "gpu_fixture.h"
-#include "scene/joints.h"
 
 #include <cmath>
 #include <queue>
@@ -24,12 +24,14 @@ protected:
         return scene;
     }
 
-    // Random but repeatable: from far to so close that joints are hundreds of pixels wide, and both projections.
+    // Random but repeatable: from far to so close that joints are hundreds of pixels wide, and both
+    // projections.
     static Camera camera_of(int index) {
         const Box3 box = world_bounds(run(), all_layers);
         Camera like;
         like.projection = index % 2 == 0 ? Projection::perspective : Projection::orthographic;
-        Camera camera = fit_camera(box, spread_direction(index, view_count), {0.1, 0.2, 1}, like, picture_size);
+        Camera camera =
+            fit_camera(box, spread_direction(index, view_count), {0.1, 0.2, 1}, like, picture_size);
         const double zoom = 1.0 + 7.0 * ((index * 7) % 10) / 10.0;
         camera.fov_y /= zoom;
         camera.height_m /= zoom;
@@ -64,7 +66,8 @@ TEST_F(JointsTest, no_background_shows_inside_the_silhouette_in_a_thousand_views
         compare(reference, make_view(camera, picture_size), picture_of(picture), comparison);
         holes += comparison.missed.hard + comparison.wrong_id.hard + comparison.false_hits.hard;
         hits += comparison.hit_pixels;
-        // The reference could have the same hole: a background pixel between parts on all four sides is one.
+        // The reference could have the same hole: a background pixel between parts on all four
+        // sides is one.
         for (int y = 1; y + 1 < picture_size.height; ++y) {
             for (int x = 1; x + 1 < picture_size.width; ++x) {
                 const auto part_at = [&](int px, int py) {
@@ -82,7 +85,8 @@ TEST_F(JointsTest, no_background_shows_inside_the_silhouette_in_a_thousand_views
 }
 
 TEST_F(JointsTest, normals_go_on_within_a_hundredth_of_a_degree_across_smooth_joints) {
-    // On both sides of each smooth joint, along lines of the wall, the exact normals of the two parts.
+    // On both sides of each smooth joint, along lines of the wall, the exact normals of the two
+    // parts.
     f64 kernel;
     double worst_deg = 0.0;
     int compared = 0;
@@ -96,18 +100,22 @@ TEST_F(JointsTest, normals_go_on_within_a_hundredth_of_a_degree_across_smooth_jo
                 const glm::dvec3 side = kernel.across(end.normal);
                 for (int i = 0; i < 64; ++i) {
                     const double angle = 2.0 * 3.14159265358979 * i / 64.0;
-                    const glm::dvec3 out = std::cos(angle) * side + std::sin(angle) * glm::cross(end.normal, side);
-                    const glm::dvec3 rim = part.placement.position +
-                                           part.placement.rotation * (end.centre + end.radius * out);
+                    const glm::dvec3 out =
+                        std::cos(angle) * side + std::sin(angle) * glm::cross(end.normal, side);
+                    const glm::dvec3 rim =
+                        part.placement.position +
+                        part.placement.rotation * (end.centre + end.radius * out);
                     const glm::dvec3 along = part.placement.rotation * end.normal;
                     const glm::dvec3 inwards = -(part.placement.rotation * out);
                     const Reference reference(run(), all_layers);
                     const auto normal_at = [&](double offset_m) {
-                        const glm::dvec3 start = rim + offset_m * along - 0.5 * end.radius * inwards;
+                        const glm::dvec3 start =
+                            rim + offset_m * along - 0.5 * end.radius * inwards;
                         return reference.trace({start, inwards, 0.0}).normal;
                     };
                     const double sine = glm::length(glm::cross(normal_at(-1e-6), normal_at(1e-6)));
-                    worst_deg = std::max(worst_deg, std::asin(std::min(1.0, sine)) * 180.0 / 3.14159265358979);
+                    worst_deg = std::max(worst_deg,
+                                         std::asin(std::min(1.0, sine)) * 180.0 / 3.14159265358979);
                     ++compared;
                 }
             }

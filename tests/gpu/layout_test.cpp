@@ -31,7 +31,10 @@ GLint offset_of(GLuint program, GLenum interface, const char* name) {
     return offset;
 }
 
-#define MEMBER(prefix, Type, member) Member{prefix #member, offsetof(gpu::Type, member)}
+#define MEMBER(prefix, Type, member)                \
+    Member {                                        \
+        prefix #member, offsetof(gpu::Type, member) \
+    }
 
 void expect_offsets(GLuint program, GLenum interface, std::initializer_list<Member> members) {
     for (const Member& member : members) {
@@ -45,7 +48,8 @@ using LayoutTest = GpuTest;
 TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
     const GLuint program = compile(GL_COMPUTE_SHADER, cull_text());
     expect_offsets(program, GL_UNIFORM,
-                   {MEMBER("CameraUniform.camera.", CameraBlock, eye), MEMBER("CameraUniform.camera.", CameraBlock, back),
+                   {MEMBER("CameraUniform.camera.", CameraBlock, eye),
+                    MEMBER("CameraUniform.camera.", CameraBlock, back),
                     MEMBER("CameraUniform.camera.", CameraBlock, step),
                     MEMBER("CameraUniform.camera.", CameraBlock, near_depth),
                     MEMBER("CameraUniform.camera.", CameraBlock, half_height),
@@ -58,14 +62,15 @@ TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
 
 TEST_F(LayoutTest, storage_blocks_have_the_same_offsets_in_the_culling_shader) {
     const GLuint program = compile(GL_COMPUTE_SHADER, cull_text());
-    expect_offsets(program, GL_BUFFER_VARIABLE,
-                   {MEMBER("Chunks.chunks[0].", ChunkBlock, z), MEMBER("Chunks.chunks[0].", ChunkBlock, count),
-                    MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, locator),
-                    MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, layer),
-                    MEMBER("Commands.commands[0].", Command, instance_count),
-                    MEMBER("Commands.commands[0].", Command, part_count),
-                    MEMBER("Batches.batches[0].", BatchBlock, drawn_as),
-                    MEMBER("Counts.counts.", CountsBlock, culled_by_size)});
+    expect_offsets(
+        program, GL_BUFFER_VARIABLE,
+        {MEMBER("Chunks.chunks[0].", ChunkBlock, z), MEMBER("Chunks.chunks[0].", ChunkBlock, count),
+         MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, locator),
+         MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, layer),
+         MEMBER("Commands.commands[0].", Command, instance_count),
+         MEMBER("Commands.commands[0].", Command, part_count),
+         MEMBER("Batches.batches[0].", BatchBlock, drawn_as),
+         MEMBER("Counts.counts.", CountsBlock, culled_by_size)});
     glDeleteProgram(program);
 }
 
@@ -73,13 +78,16 @@ TEST_F(LayoutTest, records_of_every_shape_are_as_long_as_in_cpp) {
     for (const ShapeRow& shape : shape_table()) {
         const ProgramText text = program_text({shape.type, 1, 2, false, Pass::near});
         const GLuint program = compile(GL_VERTEX_SHADER, text.vertex);
-        const GLuint index = glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE, "Records.records[0].placement.bits");
+        const GLuint index = glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE,
+                                                       "Records.records[0].placement.bits");
         ASSERT_NE(index, GL_INVALID_INDEX) << shape.name;
         const GLenum properties[] = {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE};
         GLint values[2] = {};
-        glGetProgramResourceiv(program, GL_BUFFER_VARIABLE, index, 2, properties, 2, nullptr, values);
+        glGetProgramResourceiv(program, GL_BUFFER_VARIABLE, index, 2, properties, 2, nullptr,
+                               values);
         EXPECT_EQ(values[0], static_cast<GLint>(offsetof(gpu::Placement, bits))) << shape.name;
-        EXPECT_EQ(values[1], static_cast<GLint>(sizeof(gpu::Placement) + shape.record_bytes)) << shape.name;
+        EXPECT_EQ(values[1], static_cast<GLint>(sizeof(gpu::Placement) + shape.record_bytes))
+            << shape.name;
         EXPECT_LE(values[1], 64) << shape.name;
         glDeleteProgram(program);
     }

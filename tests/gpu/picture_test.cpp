@@ -1,4 +1,5 @@
-// What a frame promises: culling changes nothing, layers hide, picking finds, translucent parts show what is behind.
+// What a frame promises: culling changes nothing, layers hide, picking finds, translucent parts
+// show what is behind.
 #include "gpu_fixture.h"
 #include "scene/add_shape.h"
 
@@ -14,7 +15,8 @@ protected:
     PictureTest() {
         scene_.nodes.push_back({});
         scene_.kinds = {"cylinder"};
-        scene_.materials = {{"grey", {0.5f, 0.5f, 0.5f, 1.0f}, 0}, {"red glass", {0.8f, 0.0f, 0.0f, 0.5f}, 0}};
+        scene_.materials = {{"grey", {0.5f, 0.5f, 0.5f, 1.0f}, 0},
+                            {"red glass", {0.8f, 0.0f, 0.0f, 0.5f}, 0}};
     }
 
     Part at(double x, double y, double z) const {

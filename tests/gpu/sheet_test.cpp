@@ -48,7 +48,8 @@ protected:
         Camera like;
         like.projection = projection;
         for (int i = 0; i < count; ++i) {
-            cameras.push_back(fit_camera(box, spread_direction(i, count), {0, 0, 1}, like, picture_size));
+            cameras.push_back(
+                fit_camera(box, spread_direction(i, count), {0, 0, 1}, like, picture_size));
         }
         return cameras;
     }
@@ -67,9 +68,10 @@ TEST_F(SheetTest, close_views_of_each_part_have_no_wrong_pixel) {
     for (std::size_t i = 0; i < sheet().parts.size(); i += 2) {
         Camera like;
         like.projection = i % 4 == 0 ? Projection::perspective : Projection::orthographic;
-        cameras.push_back(fit_camera(world_bounds(sheet(), sheet().parts[i]),
-                                     spread_direction(static_cast<int>(i), static_cast<int>(sheet().parts.size())),
-                                     {0, 0, 1}, like, picture_size));
+        cameras.push_back(fit_camera(
+            world_bounds(sheet(), sheet().parts[i]),
+            spread_direction(static_cast<int>(i), static_cast<int>(sheet().parts.size())),
+            {0, 0, 1}, like, picture_size));
     }
     check(sheet(), cameras);
 }
@@ -81,7 +83,8 @@ TEST_F(SheetTest, views_from_inside_each_part_have_no_wrong_pixel) {
         Camera camera;
         camera.fov_y = 1.2;
         camera.eye = 0.5 * (box.low + box.high) + 0.05 * (box.high - box.low);
-        camera.target = camera.eye + spread_direction(static_cast<int>(i), static_cast<int>(sheet().parts.size()));
+        camera.target = camera.eye + spread_direction(static_cast<int>(i),
+                                                      static_cast<int>(sheet().parts.size()));
         camera.near_m = 1e-3;
         cameras.push_back(camera);
     }
@@ -94,8 +97,9 @@ TEST_F(SheetTest, near_plane_cutting_parts_leaves_no_wrong_pixel) {
         const Box3 box = world_bounds(sheet(), sheet().parts[i]);
         Camera like;
         like.projection = i % 2 == 0 ? Projection::perspective : Projection::orthographic;
-        Camera camera = fit_camera(box, spread_direction(static_cast<int>(i), static_cast<int>(sheet().parts.size())),
-                                   {0, 0, 1}, like, picture_size);
+        Camera camera = fit_camera(
+            box, spread_direction(static_cast<int>(i), static_cast<int>(sheet().parts.size())),
+            {0, 0, 1}, like, picture_size);
         camera.near_m = glm::distance(camera.eye, 0.5 * (box.low + box.high));
         cameras.push_back(camera);
     }
@@ -123,7 +127,8 @@ TEST_F(SheetTest, moved_by_ten_million_metres_gives_the_same_picture) {
         const GBuffer picture = draw(camera, picture_size);
         int different = 0;
         for (std::size_t k = 0; k < picture.colours.size(); ++k) {
-            different += std::abs(static_cast<int>(picture.colours[k]) - static_cast<int>(pictures[i].colours[k])) > 1;
+            different += std::abs(static_cast<int>(picture.colours[k]) -
+                                  static_cast<int>(pictures[i].colours[k])) > 1;
         }
         EXPECT_EQ(different, 0) << "view " << i;
     }
