@@ -157,7 +157,7 @@ std::array<bool, layer_count> chosen_layers(const std::vector<std::string>& show
     return layers;
 }
 
-std::string find_unknown_option(const CLI::App& program, int count, const char* const* arguments) {
+std::string find_unknown_word(const CLI::App& program, int count, const char* const* arguments) {
     const CLI::App* verb = &program;
     for (int i = 1; i < count; ++i) {
         const std::string argument = arguments[i];
@@ -166,6 +166,9 @@ std::string find_unknown_option(const CLI::App& program, int count, const char* 
         }
         if (verb == &program && !argument.starts_with('-')) {
             verb = find_verb(program, argument);
+            if (verb == &program) {
+                return argument + ": expected a verb, found an unknown word";
+            }
             continue;
         }
         const std::string option = argument.substr(0, argument.find('='));

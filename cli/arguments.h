@@ -36,7 +36,7 @@ std::array<bool, layer_count> chosen_layers(const std::vector<std::string>& show
                                             const std::vector<std::string>& hidden);
 
 // CLI11 would report what follows a mistyped option, since that becomes a file's name. So options
-// are looked at first: the complaint about the first unknown one, or empty.
-std::string find_unknown_option(const CLI::App& program, int count, const char* const* arguments);
+// are looked at first, and verbs with them: the complaint about the first unknown one, or empty.
+std::string find_unknown_word(const CLI::App& program, int count, const char* const* arguments);
 
 }  // namespace quartic::cli

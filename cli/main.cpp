@@ -28,9 +28,9 @@ ExitCode run_program(int count, char** arguments) {
     add_lists(program, run);
     program.footer("Example: quartic render plant.rvm -o plant.png --camera iso");
 
-    const std::string unknown = find_unknown_option(program, count, arguments);
+    const std::string unknown = find_unknown_word(program, count, arguments);
     if (!unknown.empty()) {
-        return report_usage({}, unknown);
+        return report_usage({}, unknown + "; see quartic --help");
     }
     try {
         program.parse(count, arguments);
