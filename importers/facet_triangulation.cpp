@@ -27,9 +27,12 @@ double extent_of(std::span<const glm::dvec3> corners) {
     return glm::length(high - low);
 }
 
+constexpr double coordinate_max = 1e12;  // in millimetres, as the longest shape
+
 bool all_finite(std::span<const glm::dvec3> corners) {
     return std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) {
-        return std::isfinite(corner.x) && std::isfinite(corner.y) && std::isfinite(corner.z);
+        return std::abs(corner.x) <= coordinate_max && std::abs(corner.y) <= coordinate_max &&
+               std::abs(corner.z) <= coordinate_max;  // false for NaN
     });
 }
 
@@ -57,7 +60,8 @@ std::string_view text_of(FacetFault fault) {
         case FacetFault::none: return "";
         case FacetFault::too_few_corners: return "a facet of fewer than three corners";
         case FacetFault::no_area: return "a facet without area";
-        case FacetFault::not_finite: return "a facet with a corner that is not finite";
+        case FacetFault::not_finite:
+            return "a facet with a corner that is not finite or over 1e12 away";
         case FacetFault::too_many_corners: return "a facet of more than 1,048,576 corners";
         case FacetFault::not_filled: return "a facet that crosses itself or has a hole outside";
         case FacetFault::out_of_work: return "a facet too tangled to be cut in the time allowed";
@@ -65,9 +69,17 @@ std::string_view text_of(FacetFault fault) {
     return "";
 }
 
-bool loses_something(FacetFault fault) {
-    return fault == FacetFault::not_finite || fault == FacetFault::too_many_corners ||
-           fault == FacetFault::out_of_work;
+Severity severity_of(FacetFault fault) {
+    switch (fault) {
+        case FacetFault::none:
+        case FacetFault::too_few_corners:
+        case FacetFault::no_area: return Severity::note;
+        case FacetFault::not_filled: return Severity::warning;
+        case FacetFault::not_finite:
+        case FacetFault::too_many_corners:
+        case FacetFault::out_of_work: break;
+    }
+    return Severity::loss;
 }
 
 double FacetTriangulation::area_of(std::size_t first, std::size_t count) const {

@@ -2,6 +2,7 @@
 // normals.
 #pragma once
 
+#include "diagnostics/findings.h"
 #include "importers/ear_clipping.h"
 
 #include <glm/glm.hpp>
@@ -37,7 +38,7 @@ enum class FacetFault : std::uint8_t {
 };
 
 std::string_view text_of(FacetFault fault);
-bool loses_something(FacetFault fault);
+Severity severity_of(FacetFault fault);
 
 // Reusable, so that small polygons allocate nothing.
 class FacetTriangulation {

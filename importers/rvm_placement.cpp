@@ -105,13 +105,12 @@ RvmPlacement read_placement(std::span<const float, 12> matrix, MatrixForm form) 
     const double reach =
         std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
     const Axes read = read_axes(matrix);
-    const double volume =
-        std::sqrt(read.squares.x) * std::sqrt(read.squares.y) * std::sqrt(read.squares.z);
+    const double cube = read.squares.x * read.squares.y * read.squares.z;
     if (reach > position_max || longest(read) > position_max * position_max) {
         result.reason = "the matrix leads over 1e9 m away";
         return result;
     }
-    if (!(std::abs(read.handedness) > 1e-6 * volume) || !(shortest(read) > 1e-24)) {
+    if (!(read.handedness * read.handedness > 1e-12 * cube) || !(shortest(read) > 1e-24)) {
         result.reason = "the matrix flattens the part";
         return result;
     }
@@ -126,7 +125,7 @@ RvmPlacement read_placement(std::span<const float, 12> matrix, MatrixForm form) 
     const bool usual = std::abs(measured - usual_scale) <= scale_tolerance(form) * usual_scale;
     result.scale = usual ? usual_scale : measured;
     const glm::dmat3 rotation =
-        nearest_rotation(read.axes / measured, form == MatrixForm::binary ? 2 : 5);
+        nearest_rotation(read.axes / measured, form == MatrixForm::binary ? 1 : 5);
     result.placement.rotation = glm::normalize(glm::quat_cast(rotation));
     return result;
 }

@@ -1,12 +1,12 @@
 // The formulas from RVM parameters to shapes (kinds and frames: docs/formats/rvm.md).
 #include "importers/rvm_primitive.h"
 
-#include "primitives/tessellate.h"
 #include "scene/add_shape.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace quartic {
@@ -276,25 +276,18 @@ void RvmConverter::bake(const RvmPrimitive& primitive, const RvmPlacement& place
     tally_.add(kind, Became::tessellated, placement.reason, Severity::warning, place);
 }
 
-void RvmConverter::add_facets(const RvmPrimitive& primitive, const RvmFacets& facets, Part part,
-                              std::uint64_t place) {
-    const RvmKindName kind = RvmKindName::facet_group;
-    part.kind = static_cast<std::uint8_t>(kind);
-    const RvmPlacement placement = read_placement(primitive.matrix, primitive.form);
-    if (placement.kind == RvmPlacement::Kind::unusable) {
-        tally_.add(kind, Became::skipped, placement.reason, Severity::loss, place);
-        return;
-    }
-    Triangles all;
+// Cuts all polygons of a group into all_facets_; true where something was lost.
+bool RvmConverter::cut_facets(const RvmFacets& facets, std::uint64_t place) {
+    Triangles& all = all_facets_;
+    all.positions.clear();
+    all.normals.clear();
+    all.indices.clear();
     bool loses = false;
     std::size_t first_contour = 0;
     std::size_t first = 0;
     for (const std::uint32_t contours : facets.contour_counts) {
         const auto sizes = std::span(facets.contour_sizes).subspan(first_contour, contours);
-        std::size_t count = 0;
-        for (const std::uint32_t size : sizes) {
-            count += size;
-        }
+        const std::size_t count = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
         const FacetPolygon polygon{std::span(facets.positions).subspan(first, count),
                                    std::span(facets.normals).subspan(first, count), sizes};
         first_contour += contours;
@@ -302,11 +295,8 @@ void RvmConverter::add_facets(const RvmPrimitive& primitive, const RvmFacets& fa
         triangles_.clear();
         const FacetTriangulation::Cut cut = triangulation_.cut(polygon, triangles_);
         if (cut.fault != FacetFault::none) {
-            const bool lost = loses_something(cut.fault);
-            const Severity drawn =
-                cut.fault == FacetFault::not_filled ? Severity::warning : Severity::note;
-            tally_.notice(lost ? Severity::loss : drawn, text_of(cut.fault), place);
-            loses = loses || lost;
+            tally_.notice(severity_of(cut.fault), text_of(cut.fault), place);
+            loses = loses || severity_of(cut.fault) == Severity::loss;
         }
         if (triangles_.empty()) {
             continue;
@@ -321,17 +311,30 @@ void RvmConverter::add_facets(const RvmPrimitive& primitive, const RvmFacets& fa
             all.indices.push_back(base + index);
         }
     }
-    if (all.indices.empty()) {
+    return loses;
+}
+
+void RvmConverter::add_facets(const RvmPrimitive& primitive, const RvmFacets& facets, Part part,
+                              std::uint64_t place) {
+    const RvmKindName kind = RvmKindName::facet_group;
+    part.kind = static_cast<std::uint8_t>(kind);
+    const RvmPlacement placement = read_placement(primitive.matrix, primitive.form);
+    if (placement.kind == RvmPlacement::Kind::unusable) {
+        tally_.add(kind, Became::skipped, placement.reason, Severity::loss, place);
+        return;
+    }
+    const bool loses = cut_facets(facets, place);
+    if (all_facets_.indices.empty()) {
         tally_.add(kind, Became::skipped, "no facet with area",
                    loses ? Severity::loss : Severity::note, place);
         return;
     }
     const bool similar = placement.kind == RvmPlacement::Kind::similar;
+    const glm::dmat3 axes = similar ? glm::dmat3(placement.scale) : placement.axes;
     glm::dvec3 centre(0.0);
-    Mesh mesh = transformed(all, similar ? glm::dmat3(placement.scale) : placement.axes, centre);
-    const glm::dquat rotation = placement.placement.rotation;
-    part.placement.rotation = rotation;
-    part.placement.position = placement.placement.position + rotation * centre;
+    Mesh mesh = transformed(all_facets_, axes, centre);
+    part.placement.rotation = placement.placement.rotation;
+    part.placement.position = placement.placement.position + part.placement.rotation * centre;
     add_mesh_part(scene_, std::move(mesh), part);
     if (similar) {
         tally_.add(kind, Became::triangles);

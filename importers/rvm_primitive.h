@@ -4,6 +4,7 @@
 #include "importers/facet_triangulation.h"
 #include "importers/rvm_placement.h"
 #include "importers/rvm_tally.h"
+#include "primitives/tessellate.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -67,12 +68,14 @@ public:
 private:
     void bake(const RvmPrimitive& primitive, const RvmPlacement& placement, Part part,
               std::uint64_t place);
+    bool cut_facets(const RvmFacets& facets, std::uint64_t place);
     double sagitta_for(const RvmPrimitive& primitive) const;
 
     Scene& scene_;
     RvmTally& tally_;
     FacetTriangulation triangulation_;
     std::vector<std::uint32_t> triangles_;
+    Triangles all_facets_;  // of one group
     std::size_t baked_corners_ = 0;
 };
 
