@@ -10,16 +10,29 @@ void bind_storage(int binding, const GlBuffer& buffer) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.name());
 }
 
-void cull(const SceneBuffers& scene, const GlProgram& program) {
-    glCopyNamedBufferSubData(scene.empty_commands.name(), scene.commands.name(), 0, 0,
-                             static_cast<GLsizeiptr>(scene.command_count * sizeof(gpu::Command)));
-    glClearNamedBufferData(scene.counts.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    glUseProgram(program.name());
+GLuint groups_of(std::size_t threads) {
+    constexpr std::size_t group_threads = 64;  // local_size_x of the shaders
+    return static_cast<GLuint>((threads + group_threads - 1) / group_threads);
+}
+
+void bind_culling(const SceneBuffers& scene) {
     bind_storage(gpu::binding_visible, scene.visible);
     bind_storage(gpu::binding_near, scene.near_parts);
     bind_storage(gpu::binding_commands, scene.commands);
     bind_storage(gpu::binding_batches, scene.batches);
     bind_storage(gpu::binding_counts, scene.counts);
+    bind_storage(gpu::binding_decisions, scene.decisions);
+    bind_storage(gpu::binding_table, scene.table);
+}
+
+void cull(const SceneBuffers& scene, const std::array<GlProgram, 3>& programs) {
+    glCopyNamedBufferSubData(scene.empty_commands.name(), scene.commands.name(), 0, 0,
+                             static_cast<GLsizeiptr>(scene.command_count * sizeof(gpu::Command)));
+    for (const GlBuffer* buffer : {&scene.counts, &scene.table}) {
+        glClearNamedBufferData(buffer->name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    }
+    bind_culling(scene);
+    glUseProgram(programs[0].name());
     for (const BoundsPage& page : scene.pages) {
         glBindBufferRange(GL_SHADER_STORAGE_BUFFER, gpu::binding_bounds, scene.bounds.name(),
                           static_cast<GLintptr>(page.first_bounds * sizeof(gpu::BoundsBlock)),
@@ -27,6 +40,16 @@ void cull(const SceneBuffers& scene, const GlProgram& program) {
         glUniform1ui(0, page.first_chunk);
         glUniform1ui(1, page.first_bounds);
         glDispatchCompute(page.chunk_count, 1, 1);
+    }
+    if (scene.chunk_count > 0) {
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glUseProgram(programs[1].name());
+        glUniform1ui(0, scene.chunk_count);
+        glDispatchCompute(groups_of(scene.draws.size() * gpu::commands_per_batch), 1, 1);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        glUseProgram(programs[2].name());
+        glUniform1ui(0, scene.chunk_count);
+        glDispatchCompute(groups_of(scene.chunk_count), 1, 1);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

@@ -5,10 +5,12 @@
 #include "render/scene_buffers.h"
 #include "render/targets.h"
 
+#include <array>
+
 namespace quartic {
 
 struct FramePrograms {
-    GlProgram cull;
+    std::array<GlProgram, 3> cull;  // decide, offsets, lists
     GlProgram resolve;
 };
 

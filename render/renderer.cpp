@@ -101,15 +101,19 @@ Renderer::~Renderer() = default;
 
 Result<Renderer> Renderer::create() {
     auto state = std::make_unique<State>();
-    Result<GlProgram> cull = make_compute_program(cull_text(), "cull");
-    if (!cull) {
-        return cull.error();
+    std::size_t dispatch = 0;
+    for (const NamedText& shader : cull_texts()) {
+        Result<GlProgram> program = make_compute_program(shader.text, shader.file_name);
+        if (!program) {
+            return program.error();
+        }
+        state->programs.cull[dispatch++] = std::move(program).value();
     }
     Result<GlProgram> resolve = make_program(resolve_text(), "resolve");
     if (!resolve) {
         return resolve.error();
     }
-    state->programs = {std::move(cull).value(), std::move(resolve).value()};
+    state->programs.resolve = std::move(resolve).value();
     state->proxies = make_proxies();
     state->camera = make_empty_buffer(sizeof(gpu::CameraBlock), GL_DYNAMIC_STORAGE_BIT);
     state->scene =

@@ -124,6 +124,13 @@ SceneBuffers upload(const Packed& packed, const Proxies& proxies) {
     scene.materials = upload_array(packed.materials, scene);
     scene.counts = make_empty_buffer(sizeof(gpu::CountsBlock));
     upload_batches(packed, proxies, scene);
+    scene.chunk_count = static_cast<std::uint32_t>(packed.chunks.size());
+    const std::size_t decision_bytes = packed.bounds.size() * 8;
+    const std::size_t table_bytes = packed.chunks.size() * packed.batches.size() *
+                                    static_cast<std::size_t>(gpu::commands_per_batch) * 4;
+    scene.decisions = make_empty_buffer(decision_bytes);
+    scene.table = make_empty_buffer(table_bytes);
+    scene.bytes += decision_bytes + table_bytes;
     upload_meshes(packed, scene);
     scene.proxy_array = make_vertex_array();
     glVertexArrayElementBuffer(scene.proxy_array.name(), proxies.indices.name());

@@ -39,6 +39,8 @@ struct SceneBuffers {
     GlBuffer commands;
     GlBuffer empty_commands;  // copied over the commands at the start of each frame
     GlBuffer counts;
+    GlBuffer decisions;
+    GlBuffer table;
     GlBuffer part_materials;
     GlBuffer materials;
     GlBuffer vertices;
@@ -49,6 +51,7 @@ struct SceneBuffers {
     std::vector<BoundsPage> pages;
     std::uint32_t part_count = 0;
     std::uint32_t command_count = 0;
+    std::uint32_t chunk_count = 0;
     std::uint64_t bytes = 0;
     // (type, solver, hull rings, transparent, pass)
     std::map<std::tuple<int, int, int, bool, int>, GlProgram> programs;

@@ -1,25 +1,15 @@
 // Which parts are in the picture, and by which proxy: one group for each chunk.
+//
+// Three dispatches make lists in the order of the chunks, whatever order the GPU works in, so that
+// surfaces of equal depth look the same in every run: this one decides and counts, cull_offsets.comp
+// adds up the chunks' counts, cull_lists.comp writes.
 #include "shaders/layout.glsl"
 #include "shaders/camera.glsl"
+#include "shaders/cull_buffers.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = binding_chunks) readonly buffer Chunks {
-    ChunkBlock chunks[];
-};
 layout(std430, binding = binding_bounds) readonly buffer BoundsBuffer {
     BoundsBlock bounds[];
-};
-layout(std430, binding = binding_batches) readonly buffer Batches {
-    BatchBlock batches[];
-};
-layout(std430, binding = binding_visible) writeonly buffer Visible {
-    uint visible[];
-};
-layout(std430, binding = binding_near) writeonly buffer Near {
-    uint near_parts[];
-};
-layout(std430, binding = binding_commands) buffer Commands {
-    Command commands[];
 };
 layout(std430, binding = binding_counts) buffer Counts {
     CountsBlock counts;
@@ -78,49 +68,45 @@ Seen look_at(vec3 centre, vec3 half_size) {
     return seen;
 }
 
-// Takes the next place in a command's list, and a new instance with every first place of one.
-uint take_slot(uint command) {
-    uint slot = atomicAdd(commands[command].part_count, 1u);
-    if (slot % parts_per_instance == 0u) {
-        atomicAdd(commands[command].instance_count, 1u);
-    }
-    return slot;
-}
-
-void draw(uint locator, Seen seen) {
+// The proxy that the part is drawn by, as a column of the table of counts; no_column for meshes,
+// whose draws are switched on right here.
+uint column_of(uint locator, Seen seen) {
     BatchBlock batch = batches[locator >> locator_shift];
-    uint index = locator & ((1u << locator_shift) - 1u);
     if (batch.drawn_as == drawn_as_mesh) {
-        commands[batch.first_command + index].instance_count = 1u;
-        return;
+        commands[batch.first_command + index_in_batch(locator)].instance_count = 1u;
+        return no_column;
     }
+    int kind = command_box;
     if (seen.nearest_depth <= float(camera.near_depth) * 1.001) {
-        near_parts[batch.first + take_slot(batch.first_command + uint(command_near))] = index;
+        kind = command_near;
     } else if (seen.size_px > hull_size_min_px && batch.drawn_as == drawn_as_rays) {
-        uint slot = take_slot(batch.first_command + uint(command_hull));
-        visible[batch.first + batch.count - 1u - slot] = index;
-    } else {
-        visible[batch.first + take_slot(batch.first_command + uint(command_box))] = index;
+        kind = command_hull;
     }
+    return (locator >> locator_shift) * uint(commands_per_batch) + uint(kind);
 }
 
 void main() {
-    ChunkBlock chunk = chunks[first_chunk + gl_WorkGroupID.x];
+    uint chunk_index = first_chunk + gl_WorkGroupID.x;
+    ChunkBlock chunk = chunks[chunk_index];
     vec3 from_eye = vec3(dvec3(chunk.x, chunk.y, chunk.z) - camera.eye.xyz);
     for (uint i = gl_LocalInvocationID.x; i < chunk.count; i += gl_WorkGroupSize.x) {
-        BoundsBlock box = bounds[chunk.first - first_bounds + i];
-        if ((camera.layer_mask >> box.layer & 1u) == 0u) {
-            continue;
-        }
+        BoundsBlock box = bounds[chunk.first + i - first_bounds];
+        uint column = no_column;
         vec3 half_size = vec3(box.half_x, box.half_y, box.half_z);
         Seen seen = look_at(from_eye + vec3(box.centre_x, box.centre_y, box.centre_z), half_size);
-        if (!seen.inside) {
+        if ((camera.layer_mask >> box.layer & 1u) == 0u) {
+            // Hidden: neither drawn nor culled.
+        } else if (!seen.inside) {
             atomicAdd(counts.culled_by_frustum, 1u);
         } else if (seen.size_px < camera.size_min_px) {
             atomicAdd(counts.culled_by_size, 1u);
         } else {
             atomicAdd(counts.drawn, 1u);
-            draw(box.locator, seen);
+            column = column_of(box.locator, seen);
+        }
+        decisions[chunk.first + i] = uvec2(column, box.locator);
+        if (column != no_column) {
+            atomicAdd(table[chunk_index * columns() + column], 1u);
         }
     }
 }

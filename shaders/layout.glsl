@@ -114,5 +114,7 @@ const int binding_batches = 6;
 const int binding_counts = 7;
 const int binding_part_materials = 8;
 const int binding_materials = 9;
+const int binding_decisions = 10;
+const int binding_table = 11;
 
 const uint no_part = 0xffffffffu;

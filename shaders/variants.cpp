@@ -56,8 +56,11 @@ ProgramText resolve_text() {
             shader_source("shaders/resolve.frag", "")};
 }
 
-std::string cull_text() {
-    return shader_source("shaders/cull.comp", "");
+std::array<NamedText, 3> cull_texts() {
+    const auto text = [](const std::string& name) {
+        return NamedText{name, shader_source("shaders/" + name, "")};
+    };
+    return {text("cull.comp"), text("cull_offsets.comp"), text("cull_lists.comp")};
 }
 
 std::vector<NamedText> all_shader_texts() {
@@ -82,7 +85,9 @@ std::vector<NamedText> all_shader_texts() {
     const ProgramText resolve = resolve_text();
     texts.push_back({"resolve.vert", resolve.vertex});
     texts.push_back({"resolve.frag", resolve.fragment});
-    texts.push_back({"cull.comp", cull_text()});
+    for (const NamedText& cull : cull_texts()) {
+        texts.push_back(cull);
+    }
     return texts;
 }
 

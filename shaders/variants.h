@@ -3,6 +3,7 @@
 
 #include "primitives/shape.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,16 +29,19 @@ struct ProgramText {
     std::string fragment;
 };
 
+// A shader's text by the name of a file, "torus-1-front.frag".
+struct NamedText {
+    std::string file_name;
+    std::string text;
+};
+
 // A primitive's program, or, for type mesh, that of the meshes.
 ProgramText program_text(const PrimitiveVariant& variant);
 ProgramText resolve_text();
-std::string cull_text();
+// The three dispatches of culling, in their order.
+std::array<NamedText, 3> cull_texts();
 
-// Every combination that can be asked for, by name.
-struct NamedText {
-    std::string file_name;  // "torus-1-front.frag"
-    std::string text;
-};
+// Every combination that can be asked for.
 std::vector<NamedText> all_shader_texts();
 
 }  // namespace quartic

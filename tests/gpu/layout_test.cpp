@@ -46,7 +46,7 @@ void expect_offsets(GLuint program, GLenum interface, std::initializer_list<Memb
 using LayoutTest = GpuTest;
 
 TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
-    const GLuint program = compile(GL_COMPUTE_SHADER, cull_text());
+    const GLuint program = compile(GL_COMPUTE_SHADER, cull_texts()[0].text);
     expect_offsets(program, GL_UNIFORM,
                    {MEMBER("CameraUniform.camera.", CameraBlock, eye),
                     MEMBER("CameraUniform.camera.", CameraBlock, back),
@@ -61,7 +61,7 @@ TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
 }
 
 TEST_F(LayoutTest, storage_blocks_have_the_same_offsets_in_the_culling_shader) {
-    const GLuint program = compile(GL_COMPUTE_SHADER, cull_text());
+    const GLuint program = compile(GL_COMPUTE_SHADER, cull_texts()[0].text);
     expect_offsets(
         program, GL_BUFFER_VARIABLE,
         {MEMBER("Chunks.chunks[0].", ChunkBlock, z), MEMBER("Chunks.chunks[0].", ChunkBlock, count),
