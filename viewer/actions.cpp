@@ -1,0 +1,63 @@
+// What each action does.
+#include "viewer/app.h"
+
+#include "viewer/camera_control.h"
+
+namespace quartic::viewer {
+namespace {
+
+// The innermost thing that can be closed; Esc never quits.
+void cancel(App& app) {
+    if (app.browser.is_open()) {
+        app.browser.close();
+    } else if (!app.failure.empty()) {
+        app.failure.clear();
+    } else if (app.panels.help) {
+        app.panels.help = false;
+    } else if (app.loading) {
+        app.loading->cancel();
+    } else {
+        clear_selection(app);
+    }
+}
+
+void flip_projection(App& app) {
+    const Camera other = toggle_projection(app.camera);
+    move_camera(app, other, glm::distance(other.eye, other.target));
+}
+
+}  // namespace
+
+void perform(App& app, Action action) {
+    switch (action) {
+        case Action::fit_all: fit(app, app.shown_box); break;
+        case Action::fit_selection:
+            fit(app, app.selection.box.empty() ? app.shown_box : app.selection.box);
+            break;
+        case Action::view_front: fit(app, app.shown_box, "front"); break;
+        case Action::view_back: fit(app, app.shown_box, "back"); break;
+        case Action::view_right: fit(app, app.shown_box, "right"); break;
+        case Action::view_left: fit(app, app.shown_box, "left"); break;
+        case Action::view_top: fit(app, app.shown_box, "top"); break;
+        case Action::view_bottom: fit(app, app.shown_box, "bottom"); break;
+        case Action::view_iso: fit(app, app.shown_box, "iso"); break;
+        case Action::toggle_projection: flip_projection(app); break;
+        case Action::toggle_edges:
+            app.options.edges = !app.options.edges;
+            redraw(app);
+            break;
+        case Action::toggle_occlusion:
+            app.options.occlusion = !app.options.occlusion;
+            redraw(app);
+            break;
+        case Action::open_file:
+            app.browser.open(app.model ? app.model->path : std::string());
+            break;
+        case Action::take_screenshot: app.screenshot_wanted = true; break;
+        case Action::toggle_help: app.panels.help = !app.panels.help; break;
+        case Action::cancel: cancel(app); break;
+        case Action::quit: app.window.close(); break;
+    }
+}
+
+}  // namespace quartic::viewer

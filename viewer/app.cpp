@@ -1,0 +1,191 @@
+// Opening, selecting, fitting: what menus, keys and panels have in common.
+#include "viewer/app.h"
+
+#include "viewer/camera_control.h"
+
+#include <utility>
+
+namespace quartic::viewer {
+namespace {
+
+std::vector<Property> attributes_of(const Scene& scene, std::uint32_t node) {
+    std::vector<Property> list;
+    const Node& owner = scene.nodes[node];
+    for (std::uint32_t i = 0; i < owner.attribute_count; ++i) {
+        const Attribute& attribute = scene.attributes[owner.first_attribute + i];
+        list.push_back({std::string(scene.strings[attribute.key]),
+                        std::string(scene.strings[attribute.value])});
+    }
+    return list;
+}
+
+std::vector<Property> describe_node(const Model& model, std::uint32_t node, const Box3& box) {
+    const Scene& scene = model.scene;
+    std::vector<Property> list{{"Path", path_of(scene, node)},
+                               {"Name", std::string(scene.strings[scene.nodes[node].name])},
+                               {"Children", std::to_string(model.hierarchy.children(node).size())},
+                               {"Parts", std::to_string(model.hierarchy.parts(node).size())},
+                               {"Position", position_text(scene.nodes[node].position)}};
+    if (!box.empty()) {
+        const glm::dvec3 extent = box.high - box.low;
+        list.push_back({"Extent", length_text(extent.x) + " x " + length_text(extent.y) + " x " +
+                                      length_text(extent.z)});
+    }
+    return list;
+}
+
+// The title is what other programs, and people with many windows, see of the selection.
+void name_window(App& app) {
+    std::string title;
+    if (app.model && app.selection.node != no_index) {
+        const Scene& scene = app.model->scene;
+        title = std::string(scene.strings[scene.nodes[app.selection.node].name]);
+        if (app.selection.part != no_index) {
+            title += " (" + spoken(name(scene.parts[app.selection.part].type)) + ")";
+        }
+        title += " - ";
+    }
+    if (app.model) {
+        title += file_name(app.model->path) + " - ";
+    }
+    app.window.set_title(title + "Quartic");
+}
+
+void select(App& app, std::uint32_t part, std::uint32_t node) {
+    const Model& model = *app.model;
+    Selection selection;
+    selection.part = part;
+    selection.node = node;
+    if (part != no_index) {
+        selection.box = world_bounds(model.scene, model.scene.parts[part]);
+        selection.properties = describe(model.scene, part);
+    } else {
+        selection.box = bounds_of_node(model.scene, model.hierarchy, node);
+        selection.properties = describe_node(model, node, selection.box);
+    }
+    selection.attributes = attributes_of(model.scene, node);
+    app.selection = std::move(selection);
+    app.options.selected = part;
+    name_window(app);
+    redraw(app);
+}
+
+Status show_model(App& app, std::unique_ptr<Model> model) {
+    const Status uploaded = app.renderer.load(model->packed);
+    if (!uploaded) {
+        return uploaded;
+    }
+    model->packed = {};
+    app.model = std::move(model);
+    app.tree = TreeRows(app.model->scene, app.model->hierarchy);
+    app.search = {};
+    app.notice.clear();
+    app.shown_box = world_bounds(app.model->scene, app.options.layers);
+    clear_selection(app);
+    fit(app, app.shown_box, app.start_camera.empty() ? "fit" : app.start_camera);
+    app.start_camera.clear();
+    return Done{};
+}
+
+void report_failure(App& app, const Error& error) {
+    app.failure = error.where.empty() ? error.message : error.where + ": " + error.message;
+}
+
+}  // namespace
+
+void redraw(App& app) {
+    app.picture.discard();
+}
+
+void open_model(App& app, const std::string& path) {
+    app.loading.reset();  // the one before is cancelled
+    app.failure.clear();
+    app.loading = std::make_unique<Loading>(path, app.solver);
+}
+
+void receive_model(App& app) {
+    if (!app.loading || !app.loading->is_finished()) {
+        return;
+    }
+    Result<std::unique_ptr<Model>> loaded = app.loading->take();
+    const bool cancelled = app.loading->is_cancelled();
+    app.loading.reset();
+    if (cancelled) {
+        app.notice = "Opening was cancelled.";
+        return;
+    }
+    if (!loaded) {
+        report_failure(app, loaded.error());
+        return;
+    }
+    const Status shown = show_model(app, std::move(loaded).value());
+    if (!shown) {
+        report_failure(app, shown.error());
+    }
+}
+
+void change_solver(App& app, int solver) {
+    app.solver = solver;
+    if (app.model) {
+        const Status loaded = app.renderer.load(pack(app.model->scene, {.solver = solver}));
+        if (!loaded) {
+            report_failure(app, loaded.error());
+        }
+    }
+    redraw(app);
+}
+
+void change_layers(App& app) {
+    if (app.model) {
+        app.shown_box = world_bounds(app.model->scene, app.options.layers);
+    }
+    redraw(app);
+}
+
+void select_part(App& app, std::uint32_t part) {
+    if (!app.model || part >= app.model->scene.parts.size()) {
+        clear_selection(app);
+        return;
+    }
+    const Model& model = *app.model;
+    const std::uint32_t node = model.scene.parts[part].node;
+    select(app, part, node);
+    app.tree.reveal(model.scene, model.hierarchy, node, true);
+    app.selection.scroll_tree = true;
+}
+
+void select_node(App& app, std::uint32_t node) {
+    const std::span<const std::uint32_t> parts = app.model->hierarchy.parts(node);
+    const bool is_one_part = parts.size() == 1 && app.model->hierarchy.children(node).empty();
+    select(app, is_one_part ? parts.front() : no_index, node);
+}
+
+void clear_selection(App& app) {
+    app.selection = {};
+    app.options.selected = no_index;
+    name_window(app);
+    redraw(app);
+}
+
+void move_camera(App& app, const Camera& camera, double interest_m) {
+    app.camera = with_near_plane(camera, app.shown_box, interest_m);
+    redraw(app);
+}
+
+void fit(App& app, const Box3& box, std::string_view view_name) {
+    const PixelSize size = app.view.size_px.width > 0 ? app.view.size_px : PixelSize{1200, 800};
+    std::optional<Camera> camera;
+    if (!view_name.empty()) {
+        camera = find_camera(view_name, box, app.camera, size);
+        if (!camera) {
+            app.notice = "The camera \"" + std::string(view_name) + "\" is not known.";
+        }
+    }
+    if (!camera) {
+        camera =
+            fit_camera(box, app.camera.target - app.camera.eye, app.camera.up, app.camera, size);
+    }
+    move_camera(app, *camera, glm::distance(camera->eye, camera->target));
+}
+
+}  // namespace quartic::viewer
