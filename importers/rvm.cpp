@@ -62,6 +62,7 @@ private:
     void work();
     void convert(std::size_t first, std::size_t last, Block& block) const;
     void join(std::size_t number, std::unique_ptr<Block> block);
+    std::unique_ptr<Block> take_block();
     void reserve();
 
     std::span<const std::byte> bytes_;
@@ -70,6 +71,7 @@ private:
     Progress& progress_;
     std::vector<std::size_t> starts_;
     std::vector<std::unique_ptr<Block>> done_;  // converted, not joined
+    std::vector<std::unique_ptr<Block>> idle_;  // joined: their memory serves the next ones
     RvmMaterials materials_;
     std::size_t joined_ = 0;
     std::mutex mutex_;
@@ -131,15 +133,28 @@ void Conversion::join(std::size_t number, std::unique_ptr<Block> block) {
     const std::scoped_lock lock(mutex_);
     done_[number] = std::move(block);
     for (; joined_ < done_.size() && done_[joined_] != nullptr; ++joined_) {
-        const std::unique_ptr<Block> due = std::move(done_[joined_]);
+        std::unique_ptr<Block> due = std::move(done_[joined_]);
         std::vector<std::uint32_t> numbers;
         for (const RvmMaterials::Key key : due->materials.keys()) {
             numbers.push_back(materials_.number_of(key));
         }
-        append_parts(parts_.scene, std::move(due->scene), numbers);
+        append_parts(parts_.scene, due->scene, numbers);
         parts_.tally.add_all(due->tally);
+        due->tally = RvmTally();
+        due->materials = RvmMaterials();
+        idle_.push_back(std::move(due));
     }
     progress_.report(0.2 + 0.75 * static_cast<double>(joined_) / static_cast<double>(done_.size()));
+}
+
+std::unique_ptr<Block> Conversion::take_block() {
+    const std::scoped_lock lock(mutex_);
+    if (idle_.empty()) {
+        return std::make_unique<Block>();
+    }
+    std::unique_ptr<Block> block = std::move(idle_.back());
+    idle_.pop_back();
+    return block;
 }
 
 void Conversion::work() {
@@ -149,7 +164,7 @@ void Conversion::work() {
             if (number >= done_.size() || progress_.cancelled()) {
                 return;
             }
-            auto block = std::make_unique<Block>();
+            std::unique_ptr<Block> block = take_block();
             convert(starts_[number], starts_[number + 1], *block);
             join(number, std::move(block));
         }
