@@ -18,15 +18,16 @@ struct FinishRow {
 
 // In the order of Finish.
 constexpr FinishRow finishes[] = {
-    {"process", {0.46f, 0.49f, 0.52f, 1.0f}},    {"steam", {0.72f, 0.22f, 0.05f, 1.0f}},
-    {"water", {0.05f, 0.30f, 0.13f, 1.0f}},      {"gas", {0.80f, 0.52f, 0.04f, 1.0f}},
-    {"fire water", {0.55f, 0.03f, 0.02f, 1.0f}}, {"air", {0.13f, 0.36f, 0.62f, 1.0f}},
-    {"chemical", {0.30f, 0.10f, 0.38f, 1.0f}},   {"steel", {0.07f, 0.13f, 0.19f, 1.0f}},
-    {"grating", {0.19f, 0.20f, 0.21f, 1.0f}},    {"rail", {0.78f, 0.50f, 0.02f, 1.0f}},
-    {"concrete", {0.42f, 0.40f, 0.37f, 1.0f}},   {"ground", {0.27f, 0.26f, 0.24f, 1.0f}},
-    {"vessel", {0.60f, 0.62f, 0.63f, 1.0f}},     {"machine", {0.04f, 0.19f, 0.33f, 1.0f}},
-    {"wheel", {0.45f, 0.02f, 0.02f, 1.0f}},      {"duct", {0.52f, 0.55f, 0.57f, 1.0f}},
-    {"tray", {0.33f, 0.35f, 0.36f, 1.0f}},       {"insulation", {0.70f, 0.75f, 0.80f, 0.35f}},
+    {"process", {0.46f, 0.49f, 0.52f, 1.0f}},     {"steam", {0.55f, 0.19f, 0.07f, 1.0f}},
+    {"water", {0.05f, 0.30f, 0.13f, 1.0f}},       {"gas", {0.70f, 0.44f, 0.05f, 1.0f}},
+    {"fire water", {0.55f, 0.03f, 0.02f, 1.0f}},  {"air", {0.13f, 0.36f, 0.62f, 1.0f}},
+    {"chemical", {0.20f, 0.09f, 0.25f, 1.0f}},    {"steel", {0.07f, 0.13f, 0.19f, 1.0f}},
+    {"grating", {0.19f, 0.20f, 0.21f, 1.0f}},     {"rail", {0.78f, 0.50f, 0.02f, 1.0f}},
+    {"concrete", {0.42f, 0.40f, 0.37f, 1.0f}},    {"ground", {0.27f, 0.26f, 0.24f, 1.0f}},
+    {"road", {0.09f, 0.09f, 0.10f, 1.0f}},        {"vessel", {0.60f, 0.62f, 0.63f, 1.0f}},
+    {"machine", {0.04f, 0.19f, 0.33f, 1.0f}},     {"wheel", {0.45f, 0.02f, 0.02f, 1.0f}},
+    {"duct", {0.52f, 0.55f, 0.57f, 1.0f}},        {"tray", {0.33f, 0.35f, 0.36f, 1.0f}},
+    {"insulation", {0.70f, 0.75f, 0.80f, 0.35f}},
 };
 
 constexpr std::array<const char*, shape_type_count> kind_names = {

@@ -25,7 +25,8 @@ enum class Finish : std::uint8_t {
     grating,
     rail,
     concrete,
-    ground,  // structure
+    ground,
+    road,  // structure
     vessel,
     machine,
     wheel,

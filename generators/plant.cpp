@@ -12,6 +12,16 @@ namespace {
 constexpr double parts_of_unit = 3000.0;  // about
 constexpr double road = 4.0;
 
+// What a row of units stands on.
+void add_road(Model& model, const glm::dvec3& corner, const glm::dvec2& size) {
+    const double margin = 0.5 * road;
+    model.begin("ROAD", corner);
+    model.use(Finish::road);
+    model.box(corner + glm::dvec3(0.5 * size.x, 0.5 * unit_width, -0.25),
+              {size.x + 2.0 * margin, size.y, 0.2});
+    model.end();
+}
+
 }  // namespace
 
 Scene make_plant(const GenerateOptions& options) {
@@ -29,6 +39,7 @@ Scene make_plant(const GenerateOptions& options) {
     for (std::uint64_t row = 0; !model.is_full(); ++row) {
         const glm::dvec3 corner(0.0, pitch_y * double(row), 0.0);
         model.begin("AREA-" + std::to_string(row + 1), corner);
+        add_road(model, corner, {pitch_x * double(columns), pitch_y});
         const std::uint64_t row_seed = Random(options.seed, 2 * row + 1).next();
         for (std::uint64_t column = 0; column < columns && !model.is_full(); ++column) {
             UnitPlace place;

@@ -22,9 +22,10 @@ constexpr double bend_ratios[] = {2.28, 2.52, 2.66, 2.66, 2.72, 3.0, 3.0, 2.0};
 
 // Pipes by service with the radii of their outer walls.
 constexpr double radii[] = {0.0302, 0.0446, 0.0572, 0.0842, 0.1095, 0.1366, 0.1619, 0.2032};
-constexpr Finish services[] = {Finish::process, Finish::process,  Finish::process,
-                               Finish::water,   Finish::steam,    Finish::gas,
-                               Finish::air,     Finish::chemical, Finish::fire_water};
+constexpr Finish services[] = {
+    Finish::process, Finish::process,  Finish::process,   Finish::process, Finish::process,
+    Finish::water,   Finish::water,    Finish::steam,     Finish::gas,     Finish::air,
+    Finish::air,     Finish::chemical, Finish::fire_water};
 
 struct Lane {
     double y;
@@ -81,6 +82,7 @@ private:
     using Equipment = std::vector<Nozzle> (*)(Model&, Random&, const dvec3&, double);
 
     void add_ground();
+    void add_unit_rack();
     void add_lane(const Lane& lane, int number);
     void add_shoes(const Lane& lane, int number);
     void add_trays();
@@ -103,6 +105,16 @@ void Unit::add_ground() {
     model_.box(origin_ + dvec3(0.5 * unit_length, 0.0, -0.15),
                {unit_length, unit_width - 2.0, 0.3});
     model_.end();
+}
+
+void Unit::add_unit_rack() {
+    Rack rack;
+    rack.start = origin_;
+    rack.length = unit_length;
+    rack.width = rack_width;
+    rack.bay = bay;
+    rack.levels.assign(std::begin(levels), std::end(levels));
+    add_rack(model_, rack);
 }
 
 void Unit::add_lane(const Lane& lane, int number) {
@@ -267,13 +279,6 @@ void Unit::add_slot(int slot) {
 void Unit::build() {
     model_.begin("UNIT-" + std::to_string(place_.number), place_.corner);
     add_ground();
-    Rack rack;
-    rack.start = origin_;
-    rack.length = unit_length;
-    rack.width = rack_width;
-    rack.bay = bay;
-    rack.levels.assign(std::begin(levels), std::end(levels));
-    add_rack(model_, rack);
     const auto lane_count = static_cast<int>(lanes_.size());
     const int steps = std::max(8, lane_count);
     // Lines and equipment in turn, so that a unit that is not finished has something of both.
@@ -285,6 +290,9 @@ void Unit::build() {
         }
         if (i < 8 && !model_.is_full()) {
             add_slot(i);
+        }
+        if (i == 0 && !model_.is_full()) {
+            add_unit_rack();
         }
     }
     if (!model_.is_full()) {

@@ -166,13 +166,13 @@ std::vector<Nozzle> add_exchangers(Model& model, Random& random, const dvec3& fo
     const dvec3 along(0.0, side, 0.0);
     std::vector<Nozzle> nozzles;
     const dvec3 axis = foot + dvec3(0.0, 0.0, 1.2 + radius);
-    model.use(Finish::concrete);
     for (const double place : {-0.55, 0.55}) {
-        model.box(foot + (place * half) * along + 0.4 * up, {2.2 * radius, 0.5, 0.8});
-        model.use(Finish::steel);
-        model.box(axis + (place * half) * along + (0.65 * radius + 0.6) * up,
-                  {1.6 * radius, 0.25, 3.2 * radius});
+        const dvec3 middle = foot + (place * half) * along;
         model.use(Finish::concrete);
+        model.box(middle + 0.4 * up, {2.2 * radius, 0.5, 0.8});
+        model.use(Finish::steel);
+        const double top = 1.2 + 2.0 * radius + 0.9 + 0.5 * radius;  // inside the upper shell
+        model.box(middle + 0.5 * (0.8 + top) * up, {1.5 * radius, 0.22, top - 0.8});
     }
     for (int i = 0; i < 2; ++i) {
         const dvec3 centre = axis + (i * (2.0 * radius + 0.9)) * up;
