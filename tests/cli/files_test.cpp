@@ -48,7 +48,9 @@ TEST(Files, output_in_a_missing_folder_cannot_be_written) {
 
 TEST(Files, folder_is_no_output) {
     const TemporaryFolder folder;
-    expect_one_line(run_quartic({"generate", "tori", "--count", "3", "-o", folder.path(".")}), 4,
+    const std::string output = folder.path("a.rvm");
+    std::filesystem::create_directory(output);
+    expect_one_line(run_quartic({"generate", "tori", "--count", "3", "-o", output}), 4,
                     "regular file");
 }
 
