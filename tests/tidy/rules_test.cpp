@@ -86,7 +86,7 @@ TEST(Sizes, line_of_101_columns_is_caught) {
                     {"scene/b.cpp", repeat("x", 100)},
                     {"scene/c.cpp", repeat("\xc3\xa4", 100)},
                     {"docs/a.md", repeat("|x", 100)},
-                    {"docs/b.md", repeat("x", 101)}};
+                    {"docs/b.md", repeat("x", 133)}};
     EXPECT_EQ(paths(find_long_lines(tree)), "docs/b.md scene/a.cpp");
 }
 
