@@ -95,7 +95,6 @@ private:
     Random random_;
     std::vector<Lane> lanes_;
     dvec3 origin_;
-    int lines_ = 0;
     int branches_ = 0;
 };
 
