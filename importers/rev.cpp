@@ -55,24 +55,21 @@ Chunk chunk_of(std::string_view line) {
 }
 
 // Appends the numbers of a line; false where there is something else. What printf makes of NaN and
-// infinity (1.#QNAN) is NaN.
+// infinity on Windows (1.#QNAN) is NaN.
 bool append_numbers(std::string_view line, std::vector<double>& numbers) {
     while (!(line = trimmed(line)).empty()) {
         double value = 0.0;
         const auto [end, failure] = std::from_chars(line.data(), line.data() + line.size(), value);
-        std::size_t used = static_cast<std::size_t>(end - line.data());
-        const bool special = line.find('#') != std::string_view::npos;
-        if (failure == std::errc::result_out_of_range) {
-            value = std::numeric_limits<double>::quiet_NaN();
-        } else if (failure != std::errc() && !special) {
+        if (failure == std::errc::invalid_argument) {
             return false;
         }
-        if (special && used < line.size() && line[used] == '#') {
-            value = std::numeric_limits<double>::quiet_NaN();
+        auto used = static_cast<std::size_t>(end - line.data());
+        const bool special = used < line.size() && line[used] == '#';
+        if (special) {
             used = std::min(line.find_first_of(" \t"), line.size());
         }
-        if (used == 0) {
-            return false;
+        if (special || failure == std::errc::result_out_of_range) {
+            value = std::numeric_limits<double>::quiet_NaN();
         }
         numbers.push_back(value);
         line.remove_prefix(used);

@@ -113,6 +113,14 @@ TEST(rev, numbers_that_are_none_lose_their_part_only) {
     EXPECT_EQ(scene.findings.count(Severity::loss), 4u);
 }
 
+TEST(rev, one_line_of_a_million_numbers_is_no_trouble) {
+    std::string line = "50 200";
+    for (int i = 0; i < 1000000; ++i) {
+        line += " 1";
+    }
+    EXPECT_EQ(load_sound(head + group + primitive(8, line) + tail).parts.size(), 1u);
+}
+
 TEST(rev, huge_facet_counts_are_a_loss) {
     for (const char* facets : {"4294967295\n1\n3\n0 0 0\n0 0 1", "1\n4294967295\n3",
                                "1\n1\n4294967295\n0 0 0", "1e300\n1\n3", "-1\n1\n3", "1.5\n1\n3"}) {

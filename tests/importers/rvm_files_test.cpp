@@ -1,5 +1,6 @@
 // Real files: counts, both forms against each other, attributes.
 #include "importers/load.h"
+#include "importers/rvm_chunks.h"
 #include "tests/importers/rvm_bytes.h"
 #include "tests/importers/test_data.h"
 
@@ -156,6 +157,63 @@ TEST(rvm_files, supports_have_the_known_counts_and_their_attributes) {
         }
     }
     EXPECT_GT(named, 100u);
+}
+
+// The boxes that the writer stores are exact for these kinds: an oracle for parameters and frames.
+void expect_bounds_as_stored(const std::string& path, std::size_t expected_count) {
+    const Scene scene = load_real(path);
+    const Result<Source> source = Source::open(path);
+    Scene other;
+    RvmGroups groups(other);
+    RvmTally tally;
+    const Result<RvmIndex> index = index_rvm(source.value().bytes(), {other, groups, tally});
+    ASSERT_TRUE(index.ok());
+    std::size_t part = 0;
+    std::size_t compared = 0;
+    RvmPrimitive primitive;
+    RvmFacets facets;
+    for (const RvmRecord& record : index.value().records) {
+        ASSERT_TRUE(
+            read_rvm_record(source.value().bytes(), record, primitive, facets).fault.empty());
+        if (primitive.kind == RvmKind::cylinder && primitive.values[0] == 0.0f) {
+            continue;  // not drawn
+        }
+        ASSERT_LT(part, scene.parts.size());
+        const Part& drawn = scene.parts[part++];
+        const bool exact = primitive.kind != RvmKind::pyramid && primitive.kind != RvmKind::snout &&
+                           primitive.kind != RvmKind::sphere;
+        if (!exact) {
+            continue;
+        }
+        const RvmPlacement placement = read_placement(primitive.matrix, MatrixForm::binary);
+        const auto corner = [&](std::size_t first) {
+            return 0.001 * glm::dvec3(primitive.box[first], primitive.box[first + 1],
+                                      primitive.box[first + 2]);
+        };
+        const glm::dvec3 half = 0.5 * (corner(3) - corner(0));
+        const glm::dmat3 axes = glm::mat3_cast(placement.placement.rotation);
+        const glm::dvec3 centre =
+            placement.placement.position + axes * (0.5 * (corner(0) + corner(3)));
+        const glm::dvec3 reach =
+            glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+        const Box3 bounds = world_bounds(scene, drawn);
+        // Facets are far from the origin in floats: two of their steps.
+        const double tolerance = primitive.kind == RvmKind::facet_group ? 7e-5 : 2e-6;
+        ASSERT_LT(glm::length(bounds.low - (centre - reach)), tolerance) << record.offset;
+        ASSERT_LT(glm::length(bounds.high - (centre + reach)), tolerance) << record.offset;
+        ++compared;
+    }
+    EXPECT_EQ(part, scene.parts.size());
+    EXPECT_EQ(compared, expected_count);
+}
+
+TEST(rvm_files, bounds_are_the_stored_boxes_where_these_are_exact) {
+    const std::string piping = test_data("rvm/HA-PIPE.RVM");
+    const std::string supports = test_data("rvm/WD1-PSUP.RVM");
+    SKIP_WITHOUT(piping);
+    SKIP_WITHOUT(supports);
+    expect_bounds_as_stored(piping, 1073 + 176 + 43 + 10);
+    expect_bounds_as_stored(supports, 936 + 624 + 334 + 262 + 129);
 }
 
 TEST(rvm_files, attributes_can_be_left_out) {
