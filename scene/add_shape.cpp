@@ -48,17 +48,19 @@ Added add_disc(Scene& scene, double radius, Part part, std::string_view reason) 
     return add_sound(scene, f64::Disk{radius, 0.0, 0.0, 0.0}, part, reason);
 }
 
-bool is_positive(double length) {
-    return std::isfinite(length) && length > 0.0;
-}
-
 // The disc of a snout of zero height: of the bigger circle, where it stands.
 Added add_flat_snout(Scene& scene, const f64::Snout& snout, const Part& part) {
+    f64::Snout upright = snout;
+    upright.height = 1.0;
+    upright.offset = 0.0;
+    upright.bottom_slope_x = upright.bottom_slope_y = 0.0;
+    upright.top_slope_x = upright.top_slope_y = 0.0;
+    const std::string_view fault = find_fault(upright);
+    if (!fault.empty() || !std::isfinite(snout.offset)) {
+        return {false, fault.empty() ? "a parameter is not finite" : fault};
+    }
     const double bigger = std::max(snout.bottom_radius, snout.top_radius);
     const double smaller = std::min(snout.bottom_radius, snout.top_radius);
-    if (!is_positive(bigger) || !std::isfinite(snout.offset) || !(smaller >= 0.0)) {
-        return {false, "a parameter is negative or not finite"};
-    }
     const bool sheared = snout.bottom_slope_x != 0.0 || snout.bottom_slope_y != 0.0 ||
                          snout.top_slope_x != 0.0 || snout.top_slope_y != 0.0;
     const bool overhangs = std::abs(snout.offset) + smaller > bigger * (1.0 + rounding);
