@@ -103,8 +103,11 @@ void add_reporting(CLI::App& verb, Reporting& reporting) {
 
 std::optional<PixelSize> find_size(std::string_view text) {
     PixelSize size;
-    const bool whole = take_number(text, size.width) && take_sign(text, 'x') &&
-                       take_number(text, size.height) && text.empty();
+    bool whole = take_number(text, size.width);
+    size.height = size.width;
+    if (whole && !text.empty()) {
+        whole = take_sign(text, 'x') && take_number(text, size.height) && text.empty();
+    }
     const auto [low, high] = std::minmax(size.width, size.height);
     return whole && low >= 1 && high <= size_max_px ? std::optional(size) : std::nullopt;
 }
@@ -118,9 +121,10 @@ std::optional<glm::dvec3> find_vector(std::string_view text) {
 }
 
 std::string check_size(const std::string& text) {
-    return find_size(text)
-               ? std::string()
-               : "expected WIDTHxHEIGHT such as 1600x1000, from 1 to 16384, found '" + text + "'";
+    return find_size(text) ? std::string()
+                           : "expected WIDTHxHEIGHT such as 1600x1000, or one number for a square, "
+                             "from 1 to 16384, found '" +
+                                 text + "'";
 }
 
 std::string check_vector(const std::string& text) {

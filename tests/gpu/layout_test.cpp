@@ -48,15 +48,15 @@ using LayoutTest = GpuTest;
 TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
     const GLuint program = compile(GL_COMPUTE_SHADER, cull_texts()[0].text);
     expect_offsets(program, GL_UNIFORM,
-                   {MEMBER("CameraUniform.camera.", CameraBlock, eye),
-                    MEMBER("CameraUniform.camera.", CameraBlock, back),
-                    MEMBER("CameraUniform.camera.", CameraBlock, step),
-                    MEMBER("CameraUniform.camera.", CameraBlock, near_depth),
-                    MEMBER("CameraUniform.camera.", CameraBlock, half_height),
-                    MEMBER("CameraUniform.camera.", CameraBlock, orthographic),
-                    MEMBER("CameraUniform.camera.", CameraBlock, size_min_px),
-                    MEMBER("CameraUniform.camera.", CameraBlock, layer_mask),
-                    MEMBER("CameraUniform.camera.", CameraBlock, cull_frustum)});
+                   {MEMBER("camera.", CameraBlock, eye),
+                    MEMBER("camera.", CameraBlock, back),
+                    MEMBER("camera.", CameraBlock, step),
+                    MEMBER("camera.", CameraBlock, near_depth),
+                    MEMBER("camera.", CameraBlock, half_height),
+                    MEMBER("camera.", CameraBlock, orthographic),
+                    MEMBER("camera.", CameraBlock, size_min_px),
+                    MEMBER("camera.", CameraBlock, layer_mask),
+                    MEMBER("camera.", CameraBlock, cull_frustum)});
     glDeleteProgram(program);
 }
 
@@ -64,13 +64,13 @@ TEST_F(LayoutTest, storage_blocks_have_the_same_offsets_in_the_culling_shader) {
     const GLuint program = compile(GL_COMPUTE_SHADER, cull_texts()[0].text);
     expect_offsets(
         program, GL_BUFFER_VARIABLE,
-        {MEMBER("Chunks.chunks[0].", ChunkBlock, z), MEMBER("Chunks.chunks[0].", ChunkBlock, count),
-         MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, locator),
-         MEMBER("BoundsBuffer.bounds[0].", BoundsBlock, layer),
-         MEMBER("Commands.commands[0].", Command, instance_count),
-         MEMBER("Commands.commands[0].", Command, part_count),
-         MEMBER("Batches.batches[0].", BatchBlock, drawn_as),
-         MEMBER("Counts.counts.", CountsBlock, culled_by_size)});
+        {MEMBER("chunks[0].", ChunkBlock, z), MEMBER("chunks[0].", ChunkBlock, count),
+         MEMBER("bounds[0].", BoundsBlock, locator),
+         MEMBER("bounds[0].", BoundsBlock, layer),
+         MEMBER("commands[0].", Command, instance_count),
+         MEMBER("commands[0].", Command, part_count),
+         MEMBER("batches[0].", BatchBlock, drawn_as),
+         MEMBER("counts.", CountsBlock, culled_by_size)});
     glDeleteProgram(program);
 }
 
@@ -79,7 +79,7 @@ TEST_F(LayoutTest, records_of_every_shape_are_as_long_as_in_cpp) {
         const ProgramText text = program_text({shape.type, 1, 2, false, Pass::near});
         const GLuint program = compile(GL_VERTEX_SHADER, text.vertex);
         const GLuint index = glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE,
-                                                       "Records.records[0].placement.bits");
+                                                       "records[0].placement.bits");
         ASSERT_NE(index, GL_INVALID_INDEX) << shape.name;
         const GLenum properties[] = {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE};
         GLint values[2] = {};
