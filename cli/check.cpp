@@ -6,6 +6,7 @@
 #include "render/context.h"
 #include "render/renderer.h"
 #include "scene/compare.h"
+#include "scene/joints.h"
 
 #include <nlohmann/json.hpp>
 
@@ -207,10 +208,11 @@ std::string as_text(const Model& model, const Checked& checked) {
 
 ExitCode check_model(const std::string& path, const CheckArguments& arguments,
                      ordered_json& documents, std::string& text) {
-    const Result<Model> model = load_model(path, arguments.reporting);
+    Result<Model> model = load_model(path, arguments.reporting);
     if (!model) {
         return report_error(model.error());
     }
+    find_joints(model.value().scene);
     const Result<Checked> checked = compare_views(model.value().scene, arguments);
     if (!checked) {
         return report_error(checked.error());

@@ -5,7 +5,6 @@
 #include "exporters/rvm.h"
 #include "exporters/save.h"
 #include "importers/load.h"
-#include "scene/joints.h"
 
 #include <unistd.h>
 
@@ -89,7 +88,6 @@ Result<Model> load_model(const std::string& path, const Reporting& reporting) {
     }
     Model model{path, std::move(scene).value(), 0.0};
     model.load_ms = elapsed_ms(start);
-    find_joints(model.scene);
     return model;
 }
 

@@ -12,7 +12,7 @@ namespace quartic::cli {
 
 struct Model {
     std::string path;
-    Scene scene;  // its joints are found
+    Scene scene;
     double load_ms = 0.0;
 };
 

@@ -10,6 +10,7 @@
 #include "cli/verbs.h"
 #include "files/output.h"
 #include "render/context.h"
+#include "scene/joints.h"
 
 #include <nlohmann/json.hpp>
 
@@ -284,6 +285,7 @@ ExitCode render(const RenderArguments& arguments) {
         return report_error(loaded.error());
     }
     Model& model = loaded.value();
+    find_joints(model.scene);
     if (arguments.mode == "tessellated") {
         model.scene = tessellated(model.scene, arguments.tolerance_mm / 1000.0);
     }

@@ -76,8 +76,8 @@ ExitCode report_findings(const std::string& path, const Findings& findings,
     if (lost == 0) {
         return exit_ok;
     }
-    print_message(path + ": " + std::to_string(lost) +
-                  " elements of the file are not in the result; `quartic info` lists them");
+    print_message(path + ": done in part: " + std::to_string(lost) +
+                  (lost == 1 ? " loss" : " losses") + ", named above");
     return reporting.strict ? exit_failed : exit_partial;
 }
 

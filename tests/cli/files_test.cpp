@@ -28,6 +28,19 @@ TEST(Files, foreign_bytes_are_bad) {
     expect_one_line(run_quartic({"info", model}), 1, "a.rvm");
 }
 
+TEST(Files, truncated_model_is_done_in_part_unless_strict) {
+    const TemporaryFolder folder;
+    const std::string whole = folder.path("whole.rvm");
+    ASSERT_EQ(run_quartic({"generate", "tori", "--count", "50", "-o", whole, "--quiet"}).code, 0);
+    const std::string bytes = read_bytes(whole);
+    const std::string part = folder.write("part.rvm", bytes.substr(0, bytes.size() / 2));
+    const Answer answer = run_quartic({"info", part, "--json", "--quiet"});
+    EXPECT_EQ(answer.code, 3);
+    EXPECT_NE(answer.err.find("done in part"), std::string::npos) << answer.err;
+    EXPECT_TRUE(answer.out.starts_with("{")) << answer.out;
+    EXPECT_EQ(run_quartic({"info", part, "--strict"}).code, 1);
+}
+
 TEST(Files, missing_model_cannot_be_read) {
     expect_one_line(run_quartic({"info", "/nowhere/a.rvm"}), 4, "/nowhere/a.rvm");
 }
