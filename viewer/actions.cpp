@@ -30,17 +30,17 @@ void flip_projection(App& app) {
 
 void perform(App& app, Action action) {
     switch (action) {
-        case Action::fit_all: fit(app, app.shown_box); break;
+        case Action::fit_all: fit(app, app.shown_boxes); break;
         case Action::fit_selection:
-            fit(app, app.selection.box.empty() ? app.shown_box : app.selection.box);
+            fit(app, app.selection.boxes.empty() ? app.shown_boxes : app.selection.boxes);
             break;
-        case Action::view_front: fit(app, app.shown_box, "front"); break;
-        case Action::view_back: fit(app, app.shown_box, "back"); break;
-        case Action::view_right: fit(app, app.shown_box, "right"); break;
-        case Action::view_left: fit(app, app.shown_box, "left"); break;
-        case Action::view_top: fit(app, app.shown_box, "top"); break;
-        case Action::view_bottom: fit(app, app.shown_box, "bottom"); break;
-        case Action::view_iso: fit(app, app.shown_box, "iso"); break;
+        case Action::view_front: fit(app, app.shown_boxes, "front"); break;
+        case Action::view_back: fit(app, app.shown_boxes, "back"); break;
+        case Action::view_right: fit(app, app.shown_boxes, "right"); break;
+        case Action::view_left: fit(app, app.shown_boxes, "left"); break;
+        case Action::view_top: fit(app, app.shown_boxes, "top"); break;
+        case Action::view_bottom: fit(app, app.shown_boxes, "bottom"); break;
+        case Action::view_iso: fit(app, app.shown_boxes, "iso"); break;
         case Action::toggle_projection: flip_projection(app); break;
         case Action::toggle_edges:
             app.options.edges = !app.options.edges;

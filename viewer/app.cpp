@@ -8,6 +8,8 @@
 namespace quartic::viewer {
 namespace {
 
+constexpr double slow_ms = 100.0;  // a picture that takes longer is drawn coarser while it moves
+
 std::vector<Property> attributes_of(const Scene& scene, std::uint32_t node) {
     std::vector<Property> list;
     const Node& owner = scene.nodes[node];
@@ -57,17 +59,28 @@ void select(App& app, std::uint32_t part, std::uint32_t node) {
     selection.part = part;
     selection.node = node;
     if (part != no_index) {
-        selection.box = world_bounds(model.scene, model.scene.parts[part]);
-        selection.properties = describe(model.scene, part);
+        selection.boxes = {world_bounds(model.scene, model.scene.parts[part])};
     } else {
-        selection.box = bounds_of_node(model.scene, model.hierarchy, node);
-        selection.properties = describe_node(model, node, selection.box);
+        selection.boxes = boxes_of_node(model.scene, model.hierarchy, node);
     }
+    selection.box = around(selection.boxes);
+    selection.properties =
+        part != no_index ? describe(model.scene, part) : describe_node(model, node, selection.box);
     selection.attributes = attributes_of(model.scene, node);
     app.selection = std::move(selection);
     app.options.selected = part;
     name_window(app);
     redraw(app);
+}
+
+void measure_shown(App& app) {
+    app.shown_boxes.clear();
+    for (const Part& part : app.model->scene.parts) {
+        if (app.options.layers[static_cast<std::size_t>(part.layer)]) {
+            app.shown_boxes.push_back(world_bounds(app.model->scene, part));
+        }
+    }
+    app.shown_box = around(app.shown_boxes);
 }
 
 Status show_model(App& app, std::unique_ptr<Model> model) {
@@ -80,9 +93,9 @@ Status show_model(App& app, std::unique_ptr<Model> model) {
     app.tree = TreeRows(app.model->scene, app.model->hierarchy);
     app.search = {};
     app.notice.clear();
-    app.shown_box = world_bounds(app.model->scene, app.options.layers);
+    measure_shown(app);
     clear_selection(app);
-    fit(app, app.shown_box, app.start_camera.empty() ? "fit" : app.start_camera);
+    fit(app, app.shown_boxes, app.start_camera.empty() ? "fit" : app.start_camera);
     app.start_camera.clear();
     return Done{};
 }
@@ -97,6 +110,21 @@ void redraw(App& app) {
     app.picture.discard();
 }
 
+void draw_sample(App& app) {
+    const PixelSize size = app.view.size_px;
+    if (app.picture.is_complete() || size.width < 1 || size.height < 1) {
+        return;
+    }
+    const bool is_moving = app.drag && app.drag->moved;
+    const bool is_slow = app.picture.draw_ms() * app.picture.reduction() > slow_ms;
+    const Status drawn =
+        app.picture.draw(app.renderer, app.camera, size, app.options, is_moving && is_slow ? 2 : 1);
+    if (!drawn) {
+        app.failure = drawn.error().message;
+    }
+    app.counts = app.renderer.counts();
+}
+
 void open_model(App& app, const std::string& path) {
     app.loading.reset();  // the one before is cancelled
     app.failure.clear();
@@ -104,7 +132,8 @@ void open_model(App& app, const std::string& path) {
 }
 
 void receive_model(App& app) {
-    if (!app.loading || !app.loading->is_finished()) {
+    // The first frame decides how large the view is, which the first camera needs.
+    if (!app.loading || !app.loading->is_finished() || app.view.size_px.width < 1) {
         return;
     }
     Result<std::unique_ptr<Model>> loaded = app.loading->take();
@@ -137,7 +166,7 @@ void change_solver(App& app, int solver) {
 
 void change_layers(App& app) {
     if (app.model) {
-        app.shown_box = world_bounds(app.model->scene, app.options.layers);
+        measure_shown(app);
     }
     redraw(app);
 }
@@ -172,18 +201,18 @@ void move_camera(App& app, const Camera& camera, double interest_m) {
     redraw(app);
 }
 
-void fit(App& app, const Box3& box, std::string_view view_name) {
+void fit(App& app, std::span<const Box3> boxes, std::string_view view_name) {
     const PixelSize size = app.view.size_px.width > 0 ? app.view.size_px : PixelSize{1200, 800};
     std::optional<Camera> camera;
     if (!view_name.empty()) {
-        camera = find_camera(view_name, box, app.camera, size);
+        camera = find_camera(view_name, boxes, app.camera, size);
         if (!camera) {
             app.notice = "The camera \"" + std::string(view_name) + "\" is not known.";
         }
     }
     if (!camera) {
         camera =
-            fit_camera(box, app.camera.target - app.camera.eye, app.camera.up, app.camera, size);
+            fit_camera(boxes, app.camera.target - app.camera.eye, app.camera.up, app.camera, size);
     }
     move_camera(app, *camera, glm::distance(camera->eye, camera->target));
 }

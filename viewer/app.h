@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct ViewArea {
 struct Selection {
     std::uint32_t part = no_index;
     std::uint32_t node = no_index;
-    Box3 box;
+    std::vector<Box3> boxes;  // of its parts
+    Box3 box;                 // around them
     std::vector<Property> properties;
     std::vector<Property> attributes;
     bool scroll_tree = false;  // to its row, once
@@ -72,7 +74,8 @@ struct App {
 
     Camera camera;
     RenderOptions options;
-    Box3 shown_box;  // of the layers that are shown
+    std::vector<Box3> shown_boxes;  // of the parts on the layers that are shown
+    Box3 shown_box;                 // around them
     ViewArea view;
     FrameCounts counts;
 
@@ -105,11 +108,13 @@ void clear_selection(App& app);
 // Looks from there with the near plane where it should be; interest_m is the depth of what is
 // looked at.
 void move_camera(App& app, const Camera& camera, double interest_m);
-// Sees all of the box, from where the camera looks or as the name says.
-void fit(App& app, const Box3& box, std::string_view view_name = {});
+// Sees all of the boxes, from where the camera looks or as the name says.
+void fit(App& app, std::span<const Box3> boxes, std::string_view view_name = {});
 
 // Shown parts and settings changed: draw again.
 void redraw(App& app);
+// One more sample of the picture, unless it is complete.
+void draw_sample(App& app);
 
 // Mouse and keys in their order.
 void take_events(App& app);

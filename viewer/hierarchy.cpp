@@ -119,21 +119,29 @@ std::vector<std::uint32_t> find_nodes(const Scene& scene, std::string_view text)
     return found;
 }
 
-Box3 bounds_of_node(const Scene& scene, const Hierarchy& hierarchy, std::uint32_t node) {
-    Box3 box;
+std::vector<Box3> boxes_of_node(const Scene& scene, const Hierarchy& hierarchy,
+                                std::uint32_t node) {
+    std::vector<Box3> boxes;
     std::vector<std::uint32_t> waiting{node};
     while (!waiting.empty()) {
         const std::uint32_t at = waiting.back();
         waiting.pop_back();
         for (const std::uint32_t part : hierarchy.parts(at)) {
-            const Box3 one = world_bounds(scene, scene.parts[part]);
-            box.low = glm::min(box.low, one.low);
-            box.high = glm::max(box.high, one.high);
+            boxes.push_back(world_bounds(scene, scene.parts[part]));
         }
         const std::span<const std::uint32_t> below = hierarchy.children(at);
         waiting.insert(waiting.end(), below.begin(), below.end());
     }
-    return box;
+    return boxes;
+}
+
+Box3 around(std::span<const Box3> boxes) {
+    Box3 all;
+    for (const Box3& box : boxes) {
+        all.low = glm::min(all.low, box.low);
+        all.high = glm::max(all.high, box.high);
+    }
+    return all;
 }
 
 }  // namespace quartic::viewer

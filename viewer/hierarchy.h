@@ -65,7 +65,10 @@ private:
 // Nodes whose names contain the text, letters of either case (ASCII) being equal.
 std::vector<std::uint32_t> find_nodes(const Scene& scene, std::string_view text);
 
-// The box around all parts of a node and of the nodes below it.
-Box3 bounds_of_node(const Scene& scene, const Hierarchy& hierarchy, std::uint32_t node);
+// The boxes of all parts of a node and of the nodes below it.
+std::vector<Box3> boxes_of_node(const Scene& scene, const Hierarchy& hierarchy, std::uint32_t node);
+
+// The box around boxes.
+Box3 around(std::span<const Box3> boxes);
 
 }  // namespace quartic::viewer

@@ -52,12 +52,20 @@ bool is_over_model(const App& app, const glm::dvec2& at) {
                         });
 }
 
+// Where in the picture a place is; motions that came just before are drawn first.
+glm::ivec2 drawn_px(App& app, const glm::dvec2& at) {
+    if (app.picture.samples() == 0) {
+        draw_sample(app);
+    }
+    return view_px(app, at) / static_cast<double>(app.picture.reduction());
+}
+
 std::optional<double> depth_under(App& app, const glm::dvec2& at) {
-    if (!app.model || app.picture.samples() == 0) {
+    if (!app.model) {
         return {};
     }
-    const glm::dvec2 px = view_px(app, at) / static_cast<double>(app.picture.reduction());
-    return app.renderer.depth_at(static_cast<int>(px.x), static_cast<int>(px.y));
+    const glm::ivec2 px = drawn_px(app, at);
+    return app.renderer.depth_at(px.x, px.y);
 }
 
 // On the background: as far as what was looked at last, but never so near that motions stall.
@@ -67,10 +75,8 @@ double depth_or_guess(App& app, const glm::dvec2& at) {
 }
 
 void pick(App& app, const glm::dvec2& at) {
-    const glm::dvec2 px = view_px(app, at) / static_cast<double>(app.picture.reduction());
-    select_part(app, app.model
-                         ? app.renderer.part_at(static_cast<int>(px.x), static_cast<int>(px.y))
-                         : no_index);
+    const glm::ivec2 px = drawn_px(app, at);
+    select_part(app, app.model ? app.renderer.part_at(px.x, px.y) : no_index);
 }
 
 void press(App& app, const ButtonEvent& event) {
@@ -145,6 +151,12 @@ void press_key(App& app, std::optional<Action> action, bool types_text) {
         return;
     }
     if (app.browser.is_open() && *action != Action::cancel && *action != Action::quit) {
+        return;
+    }
+    const bool is_menu_open =
+        ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 && !app.browser.is_open();
+    if (*action == Action::cancel && is_menu_open) {
+        ImGui::ClosePopupToLevel(0, false);
         return;
     }
     perform(app, *action);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quartic::viewer {
 namespace {
@@ -18,21 +19,39 @@ struct Strip {
     double height = 0.0;
 };
 
-// Opens a panel whose inner side the user can drag; its width is kept.
+struct Widths {
+    double least;
+    double most;
+};
+
+Widths panel_widths(double scale) {
+    const double most = std::max(0.4 * static_cast<double>(ImGui::GetIO().DisplaySize.x), 1.0);
+    return {std::min(panel_min * scale, most), most};
+}
+
+// In the window's coordinates, for the width that the user chose.
+double panel_width(double width, double scale) {
+    const Widths widths = panel_widths(scale);
+    return std::clamp(width * scale, widths.least, widths.most);
+}
+
+// Opens a panel whose inner side the user can drag. Its width is kept, but not what a narrow window
+// makes of it.
 bool begin_panel(const char* name, bool at_right, const Strip& strip, double& width, double scale) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const double most = std::max(0.45 * static_cast<double>(display.x), panel_min);
-    const auto wide =
-        static_cast<float>(std::clamp(width * scale, std::min(panel_min * scale, most), most));
+    const Widths widths = panel_widths(scale);
+    const auto wide = static_cast<float>(panel_width(width, scale));
     const auto high = static_cast<float>(strip.height);
     ImGui::SetNextWindowPos(
         ImVec2(at_right ? display.x - wide : 0.0f, static_cast<float>(strip.top)));
-    ImGui::SetNextWindowSizeConstraints(
-        ImVec2(static_cast<float>(std::min(panel_min * scale, most)), high),
-        ImVec2(static_cast<float>(most), high));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(static_cast<float>(widths.least), high),
+                                        ImVec2(static_cast<float>(widths.most), high));
     ImGui::SetNextWindowSize(ImVec2(wide, high));
     const bool is_shown = ImGui::Begin(name, nullptr, panel_flags);
-    width = static_cast<double>(ImGui::GetWindowWidth()) / scale;
+    const double dragged = static_cast<double>(ImGui::GetWindowWidth() - wide);
+    if (std::abs(dragged) >= 1.0) {
+        width = static_cast<double>(ImGui::GetWindowWidth()) / scale;
+    }
     return is_shown;
 }
 
@@ -66,8 +85,9 @@ void show_right(App& app, const Strip& strip) {
 // What the panels leave; a changed size needs a new picture.
 void place_view(App& app, const Strip& strip) {
     const ImGuiIO& io = ImGui::GetIO();
-    const double left = app.panels.tree ? app.panels.tree_width * app.scale : 0.0;
-    const double right = app.panels.properties ? app.panels.properties_width * app.scale : 0.0;
+    const double left = app.panels.tree ? panel_width(app.panels.tree_width, app.scale) : 0.0;
+    const double right =
+        app.panels.properties ? panel_width(app.panels.properties_width, app.scale) : 0.0;
     app.view.low = {left, strip.top};
     app.view.extent = {std::max(static_cast<double>(io.DisplaySize.x) - left - right, 0.0),
                        std::max(strip.height, 0.0)};

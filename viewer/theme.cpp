@@ -83,6 +83,7 @@ void choose_colours(ImGuiStyle& style) {
     colours[ImGuiCol_ResizeGrip] = grey(0.0f, 0.0f);
     colours[ImGuiCol_ResizeGripHovered] = accent;
     colours[ImGuiCol_ResizeGripActive] = bright;
+    colours[ImGuiCol_ModalWindowDimBg] = grey(0.0f, 0.35f);
     colours[ImGuiCol_NavHighlight] = bright;
 }
 

@@ -23,10 +23,14 @@ std::string label_of_node(const Scene& scene, std::uint32_t node) {
     return name.empty() ? "(unnamed)" : std::string(name);
 }
 
+// The kind and what tells it from its neighbours first: "cylinder 168.3 mm".
 std::string label_of_part(const Scene& scene, std::uint32_t part) {
     const Part& owner = scene.parts[part];
-    return spoken(owner.kind < scene.kinds.size() ? std::string_view(scene.kinds[owner.kind])
-                                                  : name(owner.type));
+    const bool has_kind = owner.kind < scene.kinds.size();
+    std::string label =
+        spoken(has_kind ? std::string_view(scene.kinds[owner.kind]) : name(owner.type));
+    const std::vector<Property> parameters = describe_shape(scene, owner);
+    return parameters.empty() ? label : label + "  " + parameters.front().text;
 }
 
 bool show_label(const std::string& label, bool selected, bool dimmed) {
@@ -49,7 +53,8 @@ void show_row(const App& app, const TreeRow& row, Touched& touched) {
     if (row.is_part) {
         ImGui::Dummy(ImVec2(step, step));
         ImGui::SameLine();
-        if (show_label(label_of_part(scene, row.id), app.selection.part == row.id, true)) {
+        if (show_label(label_of_part(scene, row.id), app.selection.part == row.id,
+                       app.selection.part != row.id)) {
             touched.part = row.id;
         }
         return;

@@ -13,7 +13,6 @@
 namespace quartic::viewer {
 namespace {
 
-constexpr double slow_ms = 100.0;    // a picture that takes longer is drawn coarser while it moves
 constexpr int frames_to_settle = 3;  // Dear ImGui shows some effects a frame or two later
 constexpr double wait_loading_s = 0.05;
 constexpr double wait_typing_s = 0.25;  // the caret blinks
@@ -62,22 +61,6 @@ void show_frame(App& app) {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     app.window.swap();
-}
-
-void draw_sample(App& app) {
-    const PixelSize size = app.view.size_px;
-    if (app.picture.is_complete() || size.width < 1 || size.height < 1) {
-        return;
-    }
-    const int reduction =
-        app.drag && app.drag->moved && app.picture.draw_ms() * app.picture.reduction() > slow_ms
-            ? 2
-            : 1;
-    const Status drawn = app.picture.draw(app.renderer, app.camera, size, app.options, reduction);
-    if (!drawn) {
-        app.failure = drawn.error().message;
-    }
-    app.counts = app.renderer.counts();
 }
 
 double patience(const App& app, int frames_left) {

@@ -11,6 +11,7 @@ namespace quartic::viewer {
 
 struct Window::Inbox {
     std::vector<Event> events;
+    glm::dvec2 cursor{0.0};  // when the event happened; glfwGetCursorPos tells where it is by now
     bool stirred = true;
 };
 
@@ -59,20 +60,16 @@ Window::Window(GLFWwindow* window) : window_(window), inbox_(new Inbox) {
         inbox(of).stirred = true;
         inbox(of).events.push_back(std::move(event));
     };
-    static const auto cursor = [](GLFWwindow* of) {
-        glm::dvec2 at(0.0);
-        glfwGetCursorPos(of, &at.x, &at.y);
-        return at;
-    };
     glfwSetWindowUserPointer(window, inbox_);
     glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int modifiers) {
-        add(of, ButtonEvent{button, action == GLFW_PRESS, modifiers, cursor(of)});
+        add(of, ButtonEvent{button, action == GLFW_PRESS, modifiers, inbox(of).cursor});
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
+        inbox(of).cursor = {x, y};
         add(of, MoveEvent{{x, y}});
     });
     glfwSetScrollCallback(window, [](GLFWwindow* of, double, double notches) {
-        add(of, WheelEvent{notches, cursor(of)});
+        add(of, WheelEvent{notches, inbox(of).cursor});
     });
     glfwSetKeyCallback(window,
                        [](GLFWwindow* of, int key, int scancode, int action, int modifiers) {

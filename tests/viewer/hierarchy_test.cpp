@@ -77,7 +77,8 @@ TEST(TreeRows, hundred_thousand_levels_do_not_exhaust_the_stack) {
     }
     const Hierarchy hierarchy(scene);
     EXPECT_EQ(TreeRows(scene, hierarchy).rows().size(), 100000u);
-    EXPECT_TRUE(bounds_of_node(scene, hierarchy, 0).empty());
+    EXPECT_TRUE(boxes_of_node(scene, hierarchy, 0).empty());
+    EXPECT_TRUE(around({}).empty());
 }
 
 TEST(FindNodes, letters_of_either_case_match_anywhere_in_the_name) {
@@ -87,10 +88,10 @@ TEST(FindNodes, letters_of_either_case_match_anywhere_in_the_name) {
     EXPECT_TRUE(find_nodes(scene, "valve").empty());
 }
 
-TEST(BoundsOfNode, box_holds_the_parts_of_all_nodes_below) {
+TEST(BoxesOfNode, parts_of_all_nodes_below_are_in) {
     const Scene scene = sample_scene();
     const Hierarchy hierarchy(scene);
-    const Box3 box = bounds_of_node(scene, hierarchy, 1);
+    const Box3 box = around(boxes_of_node(scene, hierarchy, 1));
     EXPECT_DOUBLE_EQ(box.low.x, 1.5);
     EXPECT_DOUBLE_EQ(box.high.x, 4.5);
 }
