@@ -15,7 +15,7 @@ void cancel(App& app) {
     } else if (app.panels.help) {
         app.panels.help = false;
     } else if (app.loading) {
-        app.loading->cancel();
+        cancel_loading(app);
     } else {
         clear_selection(app);
     }

@@ -131,18 +131,18 @@ void open_model(App& app, const std::string& path) {
     app.loading = std::make_unique<Loading>(path, app.solver);
 }
 
+void cancel_loading(App& app) {
+    app.loading.reset();
+    app.notice = "Opening was cancelled.";
+}
+
 void receive_model(App& app) {
     // The first frame decides how large the view is, which the first camera needs.
     if (!app.loading || !app.loading->is_finished() || app.view.size_px.width < 1) {
         return;
     }
     Result<std::unique_ptr<Model>> loaded = app.loading->take();
-    const bool cancelled = app.loading->is_cancelled();
     app.loading.reset();
-    if (cancelled) {
-        app.notice = "Opening was cancelled.";
-        return;
-    }
     if (!loaded) {
         report_failure(app, loaded.error());
         return;

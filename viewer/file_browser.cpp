@@ -142,6 +142,9 @@ std::optional<std::string> FileBrowser::show(double scale) {
         chosen = show_entries();
         ImGui::TextUnformatted(complaint_.c_str());
         ImGui::SetNextItemWidth(-1.0f);
+        if (ImGui::IsWindowAppearing()) {
+            ImGui::SetKeyboardFocusHere();
+        }
         const bool entered = ImGui::InputTextWithHint("##name", "name or path", &typed_,
                                                       ImGuiInputTextFlags_EnterReturnsTrue);
         if (ImGui::Checkbox("All files", &all_files_)) {

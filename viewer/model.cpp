@@ -4,14 +4,47 @@
 #include "scene/joints.h"
 #include "viewer/window.h"
 
+#include <atomic>
 #include <chrono>
 #include <exception>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace quartic::viewer {
-namespace {
 
-Result<std::unique_ptr<Model>> load_model(const std::string& path, int solver, Progress& progress) {
+struct Loading::Shared {
+    explicit Shared(const std::string& opened)
+        : path(opened), progress([this](double read) {
+              fraction = read;
+              wake();
+          }) {}
+
+    const std::string path;
+    std::atomic<double> fraction{0.0};
+    std::atomic<const char*> step{"reading"};
+    std::atomic<bool> finished{false};
+    Progress progress;
+    Result<std::unique_ptr<Model>> result = Error{ErrorKind::interrupted, "", "not finished"};
+
+    std::mutex mutex;        // of what follows
+    bool is_awaited = true;  // else there may be no window any more
+
+    void wake() {
+        const std::scoped_lock lock(mutex);
+        if (is_awaited) {
+            Window::wake();
+        }
+    }
+    void begin(const char* next) {
+        step = next;
+        wake();
+    }
+    Result<std::unique_ptr<Model>> load(int solver);
+    void run(int solver);
+};
+
+Result<std::unique_ptr<Model>> Loading::Shared::load(int solver) {
     const auto start = std::chrono::steady_clock::now();
     Result<Scene> scene = load_scene(path, {}, progress);
     if (!scene) {
@@ -21,12 +54,13 @@ Result<std::unique_ptr<Model>> load_model(const std::string& path, int solver, P
     model->path = path;
     model->scene = std::move(scene).value();
     if (!progress.cancelled()) {
+        begin("finding joints");
         find_joints(model->scene);
-        model->hierarchy = Hierarchy(model->scene);
     }
     if (!progress.cancelled()) {
+        begin("packing");
+        model->hierarchy = Hierarchy(model->scene);
         model->packed = pack(model->scene, {.solver = solver});
-        model->box = model->packed.box;
     }
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
@@ -34,34 +68,44 @@ Result<std::unique_ptr<Model>> load_model(const std::string& path, int solver, P
     return model;
 }
 
-}  // namespace
-
-Loading::Loading(std::string path, int solver)
-    : path_(std::move(path)),
-      progress_([this](double fraction) {
-          fraction_ = fraction;
-          Window::wake();
-      }),
-      result_(Error{ErrorKind::interrupted, path_, "not finished"}),
-      thread_([this, solver] { run(solver); }) {}
-
-Loading::~Loading() {
-    progress_.cancel();
-    thread_.join();
+void Loading::Shared::run(int solver) {
+    try {
+        result = load(solver);
+    } catch (const std::exception& exception) {  // out of memory
+        result = Error{ErrorKind::io, path, std::string("opening failed: ") + exception.what()};
+    }
+    finished = true;
+    wake();
 }
 
-void Loading::run(int solver) {
-    try {
-        result_ = load_model(path_, solver, progress_);
-    } catch (const std::exception& exception) {  // out of memory
-        result_ = Error{ErrorKind::io, path_, std::string("opening failed: ") + exception.what()};
-    }
-    finished_ = true;
-    Window::wake();
+Loading::Loading(const std::string& path, int solver) : shared_(std::make_shared<Shared>(path)) {
+    std::thread([shared = shared_, solver] { shared->run(solver); }).detach();
+}
+
+Loading::~Loading() {
+    shared_->progress.cancel();
+    const std::scoped_lock lock(shared_->mutex);
+    shared_->is_awaited = false;
+}
+
+const std::string& Loading::path() const {
+    return shared_->path;
+}
+
+double Loading::fraction() const {
+    return shared_->fraction;
+}
+
+const char* Loading::step() const {
+    return shared_->step;
+}
+
+bool Loading::is_finished() const {
+    return shared_->finished;
 }
 
 Result<std::unique_ptr<Model>> Loading::take() {
-    return std::exchange(result_, Error{ErrorKind::interrupted, path_, "already taken"});
+    return std::exchange(shared_->result, Error{ErrorKind::interrupted, path(), "already taken"});
 }
 
 std::string file_name(const std::string& path) {

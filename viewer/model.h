@@ -5,10 +5,8 @@
 #include "scene/pack.h"
 #include "viewer/hierarchy.h"
 
-#include <atomic>
 #include <memory>
 #include <string>
-#include <thread>
 
 namespace quartic::viewer {
 
@@ -17,35 +15,28 @@ struct Model {
     Scene scene;
     Packed packed;  // emptied once it is on the GPU
     Hierarchy hierarchy;
-    Box3 box;  // of all parts
     double load_ms = 0.0;
 };
 
-// Opens a file beside the window. The destructor cancels and waits.
+// Opens a file beside the window. Whoever lets go of it cancels it and does not wait: a step that
+// cannot be cancelled ends by itself, on its thread.
 class Loading {
 public:
-    Loading(std::string path, int solver);
+    Loading(const std::string& path, int solver);
     Loading(const Loading&) = delete;
     Loading& operator=(const Loading&) = delete;
     ~Loading();
 
-    const std::string& path() const { return path_; }
-    double fraction() const { return fraction_; }
-    void cancel() { progress_.cancel(); }
-    bool is_cancelled() const { return progress_.cancelled(); }
-    bool is_finished() const { return finished_; }
+    const std::string& path() const;
+    double fraction() const;   // of the reading
+    const char* step() const;  // "reading", ...
+    bool is_finished() const;
     // Once, when finished.
     Result<std::unique_ptr<Model>> take();
 
 private:
-    void run(int solver);
-
-    std::string path_;
-    std::atomic<double> fraction_{0.0};
-    std::atomic<bool> finished_{false};
-    Progress progress_;
-    Result<std::unique_ptr<Model>> result_;
-    std::thread thread_;
+    struct Shared;
+    std::shared_ptr<Shared> shared_;  // with the thread
 };
 
 // "/data/pump.rvm": "pump.rvm"

@@ -12,11 +12,14 @@ constexpr ImGuiWindowFlags overlay_flags = ImGuiWindowFlags_NoCollapse |
                                            ImGuiWindowFlags_AlwaysAutoResize |
                                            ImGuiWindowFlags_NoSavedSettings;
 
-// In the middle of the model's picture.
-void place_overlay(const App& app) {
+// In the middle of the model's picture; the user may move it, if it does not stay only for a while.
+void place_overlay(const App& app, ImGuiCond when) {
+    const bool has_view = app.view.size_px.width > 0;  // not yet in the first frame
     const glm::dvec2 middle = app.view.low + 0.5 * app.view.extent;
-    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(middle.x), static_cast<float>(middle.y)),
-                            ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowPos(has_view
+                                ? ImVec2(static_cast<float>(middle.x), static_cast<float>(middle.y))
+                                : ImGui::GetMainViewport()->GetCenter(),
+                            when, ImVec2(0.5f, 0.5f));
 }
 
 void show_line(std::string_view keys, std::string_view text) {
@@ -33,7 +36,7 @@ void show_help(App& app) {
     if (!app.panels.help) {
         return;
     }
-    place_overlay(app);
+    place_overlay(app, ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and mouse", &app.panels.help, overlay_flags) &&
         ImGui::BeginTable("bindings", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
         for (const GestureRow& row : gesture_table()) {
@@ -54,26 +57,27 @@ void show_loading(App& app) {
     if (!app.loading) {
         return;
     }
-    place_overlay(app);
+    place_overlay(app, ImGuiCond_Always);
+    bool is_cancelled = false;
     const auto width = static_cast<float>(320.0 * app.scale);
     const std::string name = file_name(app.loading->path());
     if (ImGui::Begin("Opening", nullptr, overlay_flags)) {
         ImGui::TextUnformatted(name.c_str());
         ImGui::ProgressBar(static_cast<float>(app.loading->fraction()), ImVec2(width, 0.0f));
-        if (app.loading->is_cancelled()) {
-            ImGui::TextDisabled("stopping...");
-        } else if (ImGui::Button("Cancel")) {
-            app.loading->cancel();
-        }
+        ImGui::TextDisabled("%s", app.loading->step());
+        is_cancelled = ImGui::Button("Cancel");
     }
     ImGui::End();
+    if (is_cancelled) {
+        cancel_loading(app);
+    }
 }
 
 void show_failure(App& app) {
     if (app.failure.empty()) {
         return;
     }
-    place_overlay(app);
+    place_overlay(app, ImGuiCond_Appearing);
     bool is_open = true;
     if (ImGui::Begin("This did not work", &is_open, overlay_flags)) {
         ImGui::PushTextWrapPos(static_cast<float>(520.0 * app.scale));

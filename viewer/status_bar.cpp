@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace quartic::viewer {
@@ -33,26 +34,41 @@ std::string time_text(double time_ms) {
     return text;
 }
 
-void show_figure(const std::string& text) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(text.c_str());
-}
-
 // The driver's name without what it adds in brackets.
 std::string short_name(const std::string& renderer) {
     return renderer.substr(0, renderer.find(" ("));
 }
 
-void show_figures(const App& app) {
-    const std::string left = !app.notice.empty() ? app.notice
-                             : app.model         ? std::string(hint)
-                                         : "Ctrl+O or a dropped file opens a model   F1: all keys";
-    show_figure(left);
-    show_figure(app.cursor_point ? position_text(*app.cursor_point) : std::string());
-    show_figure(app.model ? extent_text(app.shown_box) : std::string());
-    show_figure(app.model ? counts_text(app) : std::string());
-    show_figure(app.model ? time_text(app.picture.draw_ms()) : std::string());
-    show_figure(short_name(app.renderer_is.renderer));
+std::string notice_text(const App& app) {
+    if (!app.notice.empty()) {
+        return app.notice;
+    }
+    return app.model ? hint : "Ctrl+O or a dropped file opens a model   F1: all keys";
+}
+
+// From the cursor's place to the driver's name, with lines between them.
+std::string figures_text(const App& app) {
+    std::string text = app.cursor_point ? position_text(*app.cursor_point) + "  |  " : "";
+    if (app.model) {
+        text += extent_text(app.shown_box) + "  |  " + counts_text(app) + "  |  " +
+                time_text(app.picture.draw_ms()) + "  |  ";
+    }
+    return text + short_name(app.renderer_is.renderer);
+}
+
+// Figures at the right, and as much of the notice as they leave room for.
+void show_line(const App& app) {
+    const std::string figures = figures_text(app);
+    const std::string notice = notice_text(app);
+    const float gap = ImGui::GetStyle().WindowPadding.x;
+    const float split =
+        std::max(gap, ImGui::GetWindowWidth() - gap - ImGui::CalcTextSize(figures.c_str()).x);
+    const ImVec2 low = ImGui::GetWindowPos();
+    ImGui::PushClipRect(low, ImVec2(low.x + split - gap, low.y + ImGui::GetWindowHeight()), true);
+    ImGui::TextUnformatted(notice.c_str());
+    ImGui::PopClipRect();
+    ImGui::SameLine(split);
+    ImGui::TextUnformatted(figures.c_str());
 }
 
 }  // namespace
@@ -69,12 +85,7 @@ void show_status_bar(const App& app) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                      ImGuiWindowFlags_NoNav);
-    if (ImGui::BeginTable("figures", 6,
-                          ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerV)) {
-        ImGui::TableSetupColumn("notice", ImGuiTableColumnFlags_WidthStretch);
-        show_figures(app);
-        ImGui::EndTable();
-    }
+    show_line(app);
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
