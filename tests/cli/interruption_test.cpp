@@ -15,7 +15,7 @@ TEST(Interruption, sigterm_ends_with_143_and_leaves_the_old_output) {
     program.send(SIGTERM);
     EXPECT_EQ(program.wait_for_code(), 143);
     EXPECT_EQ(read_bytes(output), "old");
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"old.png"});
+    EXPECT_EQ(folder.file_count(), 1u);
 }
 
 TEST(Interruption, sigint_ends_with_130) {

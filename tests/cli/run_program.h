@@ -1,9 +1,10 @@
 // Runs the built program as a user would, and keeps what it said.
 #pragma once
 
+#include "tests/files/temporary_folder.h"
+
 #include <sys/types.h>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,23 +37,6 @@ public:
 private:
     pid_t process_ = -1;
     int input_ = -1;  // the end that is never written
-};
-
-// An empty folder of the running test, removed with it.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    // Writes a file there, and returns its path.
-    std::string write(const std::string& name, const std::string& bytes) const;
-    std::vector<std::string> names() const;
-
-private:
-    std::filesystem::path folder_;
 };
 
 std::string read_bytes(const std::string& path);
