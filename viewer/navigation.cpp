@@ -79,6 +79,12 @@ void pick(App& app, const glm::dvec2& at) {
     select_part(app, app.model ? app.renderer.part_at(px.x, px.y) : no_index);
 }
 
+// Keys are keys again, at once: a slow picture may lie between two frames of Dear ImGui.
+void leave_text() {
+    ImGui::ClearActiveID();
+    ImGui::GetIO().WantTextInput = false;
+}
+
 void press(App& app, const ButtonEvent& event) {
     if (app.drag || !is_over_model(app, event.at)) {
         return;
@@ -91,7 +97,7 @@ void press(App& app, const ButtonEvent& event) {
         app.camera = with_target_depth(app.camera, std::max(*depth, 1e-6 * extent_of(app)));
     }
     app.drag = drag;
-    ImGui::ClearActiveID();  // leaves text fields, so that keys are keys again
+    leave_text();
 }
 
 void release(App& app, const ButtonEvent& event) {
@@ -145,21 +151,31 @@ void turn_wheel(App& app, const WheelEvent& event) {
     }
 }
 
-// A text field takes all keys but those that no text holds; a modal window leaves Esc and quitting.
-void press_key(App& app, std::optional<Action> action, bool types_text) {
-    if (!action || (types_text && ImGui::GetIO().WantTextInput)) {
-        return;
-    }
-    if (app.browser.is_open() && *action != Action::cancel && *action != Action::quit) {
-        return;
-    }
-    const bool is_menu_open =
-        ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 && !app.browser.is_open();
-    if (*action == Action::cancel && is_menu_open) {
+// Esc closes what the user is in: a menu, then the text field with the search, then what cancel()
+// finds.
+void press_escape(App& app) {
+    if (app.browser.is_open()) {
+        leave_text();
+    } else if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) {
         ImGui::ClosePopupToLevel(0, false);
         return;
+    } else if (ImGui::GetIO().WantTextInput) {
+        leave_text();
+        app.search = {};
+        return;
     }
-    perform(app, *action);
+    perform(app, Action::cancel);
+}
+
+// A text field takes all keys but those that no text holds; the file browser leaves Esc and
+// quitting.
+void press_key(App& app, std::optional<Action> action, bool types_text) {
+    if (action == Action::cancel) {
+        press_escape(app);
+    } else if (action && !(types_text && ImGui::GetIO().WantTextInput) &&
+               (!app.browser.is_open() || action == Action::quit)) {
+        perform(app, *action);
+    }
 }
 
 struct Taker {

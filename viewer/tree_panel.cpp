@@ -37,8 +37,9 @@ bool show_label(const std::string& label, bool selected, bool dimmed) {
     if (dimmed) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     }
-    const bool pressed =
-        ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick);
+    const bool pressed = ImGui::Selectable(
+        label.c_str(), selected,
+        ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_AllowItemOverlap);
     if (dimmed) {
         ImGui::PopStyleColor();
     }
@@ -89,8 +90,10 @@ void show_match(const App& app, std::uint32_t node, Touched& touched) {
         touched.node = node;
         touched.is_double = ImGui::IsMouseDoubleClicked(0);
     }
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", path_of(scene, node).c_str());
+    const std::uint32_t parent = scene.nodes[node].parent;
+    if (parent != no_index) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("%s", path_of(scene, parent).c_str());
     }
 }
 

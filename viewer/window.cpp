@@ -74,7 +74,7 @@ Window::Window(GLFWwindow* window) : window_(window), inbox_(new Inbox) {
     glfwSetKeyCallback(window,
                        [](GLFWwindow* of, int key, int scancode, int action, int modifiers) {
                            inbox(of).stirred = true;
-                           if (action != GLFW_RELEASE) {
+                           if (action == GLFW_PRESS) {
                                add(of, KeyEvent{key_of_layout(key, scancode), modifiers});
                            }
                        });
