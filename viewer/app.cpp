@@ -123,6 +123,9 @@ void draw_sample(App& app) {
         app.failure = drawn.error().message;
     }
     app.counts = app.renderer.counts();
+    if (!app.renderer.gl_errors().empty()) {
+        app.notice = "The driver complained: " + app.renderer.gl_errors().front();
+    }
 }
 
 void open_model(App& app, const std::string& path) {
