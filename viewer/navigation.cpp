@@ -97,6 +97,7 @@ void press(App& app, const ButtonEvent& event) {
         app.camera = with_target_depth(app.camera, std::max(*depth, 1e-6 * extent_of(app)));
     }
     app.drag = drag;
+    app.notice.clear();
     leave_text();
 }
 
