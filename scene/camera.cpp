@@ -73,6 +73,30 @@ struct Sides {
     }
 };
 
+// How far to move the eye right and up, at this distance from the middle's plane, so that opposite
+// sides of the picture are equally far from what it shows.
+glm::dvec2 centring_shift(std::span<const Box3> boxes, const glm::dvec3& middle, const View& axes,
+                          double distance) {
+    constexpr int rounds = 4;  // each takes away most of what is left
+    glm::dvec2 shift(0.0);
+    for (int round = 0; round < rounds; ++round) {
+        glm::dvec2 low(std::numeric_limits<double>::max());
+        glm::dvec2 high(std::numeric_limits<double>::lowest());
+        for (const Box3& box : boxes) {
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 p = corner_of(box, corner) - middle;
+                const double depth = std::max(distance - glm::dot(axes.back, p), 1e-9 * distance);
+                const glm::dvec2 seen =
+                    (glm::dvec2(glm::dot(axes.right, p), glm::dot(axes.up, p)) - shift) / depth;
+                low = glm::min(low, seen);
+                high = glm::max(high, seen);
+            }
+        }
+        shift += 0.5 * distance * (low + high);
+    }
+    return shift;
+}
+
 }  // namespace
 
 View make_view(const Camera& camera, PixelSize size) {
@@ -178,8 +202,10 @@ Camera fit_camera(std::span<const Box3> boxes, const glm::dvec3& direction, cons
     }
     camera.height_m =
         margin * std::max({(sides.right + sides.left) / aspect, sides.top + sides.bottom, 1e-9});
-    camera.target = middle + 0.5 * (sides.right - sides.left) * axes.right +
-                    0.5 * (sides.top - sides.bottom) * axes.up;
+    const glm::dvec2 shift =
+        perspective ? centring_shift(boxes, middle, axes, distance)
+                    : 0.5 * glm::dvec2(sides.right - sides.left, sides.top - sides.bottom);
+    camera.target = middle + shift.x * axes.right + shift.y * axes.up;
     camera.eye = camera.target - distance * forward;
     const std::array<double, 2> range = depth_range(all, camera.eye, forward);
     camera.near_m =

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <tuple>
 #include <unordered_map>
 
 namespace quartic {
@@ -48,10 +50,12 @@ std::vector<PlacedEnd> ends_of(const Scene& scene) {
     return ends;
 }
 
-// Cells of one gap's width: ends that may be joined lie in the same or in neighbouring cells.
+// Cells far wider than a gap: ends that may be joined nearly always lie in one.
+constexpr double cell_m = 100.0 * gap_max_m;
+
 struct CellKey {
     std::int64_t x, y, z;
-    bool operator==(const CellKey&) const = default;
+    auto operator<=>(const CellKey&) const = default;
 };
 struct CellHash {
     std::size_t operator()(const CellKey& key) const {
@@ -63,11 +67,69 @@ struct CellHash {
 };
 
 CellKey cell_of(const glm::dvec3& p) {
-    constexpr double cell_m = 2.0 * gap_max_m;
     return {static_cast<std::int64_t>(std::floor(p.x / cell_m)),
             static_cast<std::int64_t>(std::floor(p.y / cell_m)),
             static_cast<std::int64_t>(std::floor(p.z / cell_m))};
 }
+
+// Ends by their cells, those of one cell in the order of their parts.
+class EndGrid {
+public:
+    explicit EndGrid(const std::vector<PlacedEnd>& ends) : ends_(ends), order_(ends.size()) {
+        std::vector<CellKey> keys(ends.size());
+        for (std::uint32_t i = 0; i < ends.size(); ++i) {
+            order_[i] = i;
+            keys[i] = cell_of(ends[i].centre);
+        }
+        std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::tie(keys[a], a) < std::tie(keys[b], b);
+        });
+        for (std::uint32_t i = 0; i < order_.size(); ++i) {
+            Run& run = runs_.try_emplace(keys[order_[i]], Run{i, 0}).first->second;
+            ++run.count;
+        }
+    }
+
+    // Calls visitor with every end within a gap of p, and some farther ones, until it returns true.
+    template <class Visitor>
+    void find_near(const glm::dvec3& p, Visitor&& visitor) const {
+        const CellKey low = cell_of(p - gap_max_m);
+        const CellKey high = cell_of(p + gap_max_m);
+        for (CellKey key = low; key.x <= high.x; ++key.x) {
+            for (key.y = low.y; key.y <= high.y; ++key.y) {
+                for (key.z = low.z; key.z <= high.z; ++key.z) {
+                    if (visit_cell(key, visitor)) {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    struct Run {
+        std::uint32_t first;
+        std::uint32_t count;
+    };
+
+    template <class Visitor>
+    bool visit_cell(const CellKey& key, Visitor& visitor) const {
+        const auto run = runs_.find(key);
+        if (run == runs_.end()) {
+            return false;
+        }
+        for (std::uint32_t i = 0; i < run->second.count; ++i) {
+            if (visitor(ends_[order_[run->second.first + i]])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const std::vector<PlacedEnd>& ends_;
+    std::vector<std::uint32_t> order_;
+    std::unordered_map<CellKey, Run, CellHash> runs_;
+};
 
 bool is_opaque(const Scene& scene, const Part& part) {
     return part.material >= scene.materials.size() ||
@@ -84,15 +146,34 @@ bool may_join(const Scene& scene, const PlacedEnd& a, const PlacedEnd& b) {
            glm::dot(a.normal, b.normal) < facing_cosine;
 }
 
+// What the ends near one end do to it.
+struct Joint {
+    bool joined = false;
+    bool open = false;
+    bool smooth = false;
+};
+
+Joint joint_of(const Scene& scene, const EndGrid& grid, const PlacedEnd& end) {
+    Joint joint;
+    grid.find_near(end.centre, [&](const PlacedEnd& other) {
+        if (may_join(scene, end, other)) {
+            const bool same_circle =
+                std::abs(end.radius - other.radius) <= (radius_slack - 1.0) * end.radius;
+            joint.joined = true;
+            joint.open = joint.open || end.radius <= radius_slack * other.radius;
+            joint.smooth =
+                joint.smooth || (same_circle && std::abs(end.flare + other.flare) < flare_slack);
+        }
+        return joint.open && joint.smooth;
+    });
+    return joint;
+}
+
 }  // namespace
 
 JointCounts find_joints(Scene& scene) {
     const std::vector<PlacedEnd> ends = ends_of(scene);
-    std::unordered_multimap<CellKey, std::uint32_t, CellHash> cells;
-    cells.reserve(ends.size());
-    for (std::uint32_t i = 0; i < ends.size(); ++i) {
-        cells.emplace(cell_of(ends[i].centre), i);
-    }
+    const EndGrid grid(ends);
     for (Part& part : scene.parts) {
         part.open_ends = 0;
         part.smooth_ends = 0;
@@ -100,32 +181,13 @@ JointCounts find_joints(Scene& scene) {
     JointCounts counts;
     counts.ends = ends.size();
     for (const PlacedEnd& end : ends) {
-        bool joined = false;
-        bool open = false;
-        bool smooth = false;
-        const CellKey home = cell_of(end.centre);
-        for (int neighbour = 0; neighbour < 27; ++neighbour) {
-            const CellKey key{home.x + neighbour % 3 - 1, home.y + neighbour / 3 % 3 - 1,
-                              home.z + neighbour / 9 - 1};
-            const auto [first, last] = cells.equal_range(key);
-            for (auto at = first; at != last; ++at) {
-                const PlacedEnd& other = ends[at->second];
-                if (!may_join(scene, end, other)) {
-                    continue;
-                }
-                joined = true;
-                open = open || end.radius <= radius_slack * other.radius;
-                const bool same_circle =
-                    std::abs(end.radius - other.radius) <= (radius_slack - 1.0) * end.radius;
-                smooth = smooth || (same_circle && std::abs(end.flare + other.flare) < flare_slack);
-            }
-        }
+        const Joint joint = joint_of(scene, grid, end);
         const auto bit = static_cast<std::uint8_t>(1u << end.index);
-        scene.parts[end.part].open_ends |= open ? bit : std::uint8_t{0};
-        scene.parts[end.part].smooth_ends |= smooth ? bit : std::uint8_t{0};
-        counts.joined += joined;
-        counts.open += open;
-        counts.smooth += smooth;
+        scene.parts[end.part].open_ends |= joint.open ? bit : std::uint8_t{0};
+        scene.parts[end.part].smooth_ends |= joint.smooth ? bit : std::uint8_t{0};
+        counts.joined += joint.joined;
+        counts.open += joint.open;
+        counts.smooth += joint.smooth;
     }
     return counts;
 }
