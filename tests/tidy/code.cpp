@@ -106,7 +106,8 @@ std::string code_without_macros(std::string_view text) {
     std::string code = code_without_comments(text);
     bool goes_on = false;
     std::size_t start = 0;
-    for (const std::string_view line : lines_of(std::string(code))) {
+    const std::string whole = code;  // the lines look into it while code is blanked
+    for (const std::string_view line : lines_of(whole)) {
         const bool macro = goes_on || trimmed(line).starts_with('#');
         goes_on = macro && line.ends_with('\\');
         if (macro) {
