@@ -159,6 +159,38 @@ ordered_json as_json(const ErrorFigures& error) {
     return {{"median", error.median}, {"p9999", error.p9999}, {"max", error.max}};
 }
 
+ordered_json as_json(const std::vector<WrongPixel>& pixels) {
+    const auto part = [](std::uint32_t id) { return id == no_index ? -1 : std::int64_t{id}; };
+    ordered_json list = ordered_json::array();
+    for (const WrongPixel& pixel : pixels) {
+        list.push_back({{"view", pixel.view},
+                        {"x", pixel.x},
+                        {"y", pixel.y},
+                        {"seen_part", part(pixel.seen)},
+                        {"true_part", part(pixel.truth)},
+                        {"seen_depth_m", pixel.seen_depth_m},
+                        {"true_depth_m", pixel.true_depth_m}});
+    }
+    return list;
+}
+
+// "view 3, pixel 10,20: the picture shows cylinder 5 at 3.2 m, the reference torus 6 at 3.1 m".
+std::string as_text(const Scene& scene, const WrongPixel& pixel) {
+    const auto thing = [&](std::uint32_t id, double depth_m) {
+        if (id == no_index) {
+            return std::string("nothing");
+        }
+        std::array<char, 96> text{};
+        std::snprintf(text.data(), text.size(), "%s %u at %.6g m",
+                      std::string(name(scene.parts[id].type)).c_str(), id, depth_m);
+        return std::string(text.data());
+    };
+    return "view " + std::to_string(pixel.view) + ", pixel " + std::to_string(pixel.x) + "," +
+           std::to_string(pixel.y) + ": the picture shows " +
+           thing(pixel.seen, pixel.seen_depth_m) + ", the reference " +
+           thing(pixel.truth, pixel.true_depth_m) + "\n";
+}
+
 ordered_json as_json(const Model& model, const CheckArguments& arguments, const Checked& checked) {
     const Comparison& comparison = checked.comparison;
     return {{"schema", json_schema},
@@ -174,7 +206,8 @@ ordered_json as_json(const Model& model, const CheckArguments& arguments, const 
             {"depth_error", as_json(checked.depth_error)},
             {"normal_error_deg", as_json(checked.normal_error_deg)},
             {"nan_pixels", checked.nan_pixels},
-            {"gl_errors", checked.gl_errors.size()}};
+            {"gl_errors", checked.gl_errors.size()},
+            {"wrong_pixels", as_json(comparison.wrong_pixels)}};
 }
 
 std::string row(const char* label, const HardAndTie& pixels) {
@@ -203,6 +236,9 @@ std::string as_text(const Model& model, const Checked& checked) {
             row("normal error deg", checked.normal_error_deg);
     text += "not a number       " + std::to_string(checked.nan_pixels) + " pixels\n";
     text += "OpenGL errors      " + std::to_string(checked.gl_errors.size()) + "\n";
+    for (const WrongPixel& pixel : comparison.wrong_pixels) {
+        text += as_text(model.scene, pixel);
+    }
     return text + (checked.holds() ? "holds\n" : "does not hold\n");
 }
 

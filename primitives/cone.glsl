@@ -56,11 +56,11 @@ vec3 hull_point(Cone cone, int ring, int corner, real margin) {
 }
 
 Hit hit(Cone cone, Ray ray, int open_ends, int solver) {
-    real overlap = joint_overlap(max(cone.bottom_radius, cone.top_radius));
+    real slope = (cone.top_radius - cone.bottom_radius) / cone.height;
+    real overlap = joint_overlap(max(cone.bottom_radius, cone.top_radius), slope);
     real half_height = real(0.5) * cone.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
     real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));
-    real slope = (cone.top_radius - cone.bottom_radius) / cone.height;
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 

@@ -49,7 +49,7 @@ vec3 hull_point(Cylinder cylinder, int ring, int corner, real margin) {
 }
 
 Hit hit(Cylinder cylinder, Ray ray, int open_ends, int solver) {
-    real overlap = joint_overlap(cylinder.radius);
+    real overlap = joint_overlap(cylinder.radius, real(0));
     real half_height = real(0.5) * cylinder.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
     real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));

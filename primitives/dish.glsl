@@ -44,7 +44,7 @@ End end(Dish dish, int index) {
     disc.centre = vec3(0);
     disc.normal = vec3(0, 0, -1);
     disc.radius = dish.radius;
-    disc.flare = centre_height(dish) / dish.radius;
+    disc.flare = -centre_height(dish) / dish.radius;
     return disc;
 }
 
@@ -78,7 +78,8 @@ vec3 hull_point(Dish dish, int ring, int corner, real margin) {
     if (z < real(0)) {
         return octagon_corner(radius, corner, top);
     }
-    return ring == 1 ? octagon_corner(radius, corner, z)
+    // Where the widest circle lies below the base, the tangent starts outside the base circle.
+    return ring == 1 ? octagon_corner(max(radius, a), corner, z)
                      : octagon_corner(real(0.41421356) * a, corner, top);
 }
 
@@ -90,7 +91,7 @@ Hit hit(Dish dish, Ray ray, int open_ends, int solver) {
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 
-    real overlap = is_open(open_ends, 0) ? joint_overlap(dish.radius) : real(0);
+    real overlap = is_open(open_ends, 0) ? joint_overlap(dish.radius, end(dish, 0).flare) : real(0);
     Span span =
         in_sphere(vec3(o.x, o.y, (o.z - centre) * stretch), vec3(d.x, d.y, d.z * stretch), a);
     span = below_plane(span, o.z + overlap, d.z, 1);

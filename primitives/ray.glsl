@@ -39,8 +39,10 @@ struct End {
 // would shine through the joint.
 const real joint_overlap_max = real(5e-5);
 
-real joint_overlap(real radius) {
-    return min(joint_overlap_max, real(0.01) * radius);
+// A wall that widens by flare per metre goes on for less, so that it does not stand out of the
+// joint.
+real joint_overlap(real radius, real flare) {
+    return min(joint_overlap_max, real(0.01) * radius) / (real(1) + abs(flare));
 }
 
 bool is_open(int open_ends, int end_index) {

@@ -145,12 +145,13 @@ vec3 hull_point(Snout snout, int ring, int corner, real margin) {
 }
 
 Hit hit(Snout snout, Ray ray, int open_ends, int solver) {
-    real overlap = joint_overlap(max(snout.bottom_radius, snout.top_radius));
+    real slope = radius_slope(snout);
+    real lean = snout.offset / snout.height;
+    real overlap =
+        joint_overlap(max(snout.bottom_radius, snout.top_radius), abs(slope) + abs(lean));
     real half_height = real(0.5) * snout.height;
     real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
     real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));
-    real slope = radius_slope(snout);
-    real lean = snout.offset / snout.height;
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 

@@ -247,7 +247,7 @@ Hit hit(Torus torus, Ray ray, int open_ends, int solver) {
         return miss();
     }
     real reach = real(1.00001) * sqrt(room);
-    real turn = joint_overlap(torus.radius) / torus.bend_radius;
+    real turn = joint_overlap(torus.radius, real(0)) / torus.bend_radius;
     Sector sector =
         in_sector(line.origin, line.direction, torus.arc, is_open(open_ends, 0) ? turn : real(0),
                   is_open(open_ends, 1) ? turn : real(0));

@@ -24,6 +24,7 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options,
     block.step = view.step;
     block.near_depth = view.near_m;
     block.far_depth = view.far_m;
+    block.focus_depth = view.focus_m;
     block.half_width = 0.5 * view.size.width;
     block.half_height = 0.5 * view.size.height;
     block.jitter_x = options.jitter_px.x;

@@ -97,6 +97,11 @@ glm::dvec2 centring_shift(std::span<const Box3> boxes, const glm::dvec3& middle,
     return shift;
 }
 
+// The orthographic depth of shaders/camera.glsl, in picture heights behind the focus.
+double focused(double heights) {
+    return heights < 0.0 ? 1.0 - heights : 1.0 / (1.0 + heights);
+}
+
 }  // namespace
 
 View make_view(const Camera& camera, PixelSize size) {
@@ -107,18 +112,20 @@ View make_view(const Camera& camera, PixelSize size) {
                            std::abs(forward.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     }
     right = glm::normalize(right);
-    const double height = camera.projection == Projection::perspective
-                              ? 2.0 * std::tan(0.5 * camera.fov_y)
-                              : camera.height_m;
-    return {camera.eye,
-            right,
-            glm::cross(right, forward),
-            -forward,
-            camera.projection,
-            height / size.height,
-            camera.near_m,
-            camera.near_m + 1.0,
-            size};
+    const bool perspective = camera.projection == Projection::perspective;
+    const double height = perspective ? 2.0 * std::tan(0.5 * camera.fov_y) : camera.height_m;
+    View view;
+    view.eye = camera.eye;
+    view.right = right;
+    view.up = glm::cross(right, forward);
+    view.back = -forward;
+    view.projection = camera.projection;
+    view.step = height / size.height;
+    view.near_m = camera.near_m;
+    view.focus_m = perspective ? 0.0 : glm::distance(camera.eye, camera.target);
+    view.far_m = camera.near_m + 1.0;
+    view.size = size;
+    return view;
 }
 
 f64::Ray pixel_ray(const View& view, double x, double y) {
@@ -139,15 +146,21 @@ glm::dvec3 project(const View& view, const glm::dvec3& world) {
 }
 
 double buffer_depth(const View& view, double depth_m) {
-    return view.projection == Projection::perspective
-               ? view.near_m / depth_m
-               : (view.far_m - depth_m) / (view.far_m - view.near_m);
+    if (view.projection == Projection::perspective) {
+        return view.near_m / depth_m;
+    }
+    const double height_m = view.step * view.size.height;
+    return focused((depth_m - view.focus_m) / height_m) /
+           focused((view.near_m - view.focus_m) / height_m);
 }
 
 double depth_from_buffer(const View& view, double buffer_depth) {
-    return view.projection == Projection::perspective
-               ? view.near_m / buffer_depth
-               : view.far_m - buffer_depth * (view.far_m - view.near_m);
+    if (view.projection == Projection::perspective) {
+        return view.near_m / buffer_depth;
+    }
+    const double height_m = view.step * view.size.height;
+    const double g = buffer_depth * focused((view.near_m - view.focus_m) / height_m);
+    return view.focus_m + height_m * (g > 1.0 ? 1.0 - g : 1.0 / g - 1.0);
 }
 
 std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye,

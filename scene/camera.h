@@ -40,8 +40,8 @@ struct View {
     Projection projection;
     double step;  // of a pixel: tangent (perspective) or metres (orthographic)
     double near_m;
-    double far_m;  // depth of the farthest thing, which orthographic depth buffers need;
-                   // perspective sees to infinity
+    double focus_m;  // the target's depth in orthographic views, where depths are finest; else 0
+    double far_m;    // orthographic views clip what lies deeper; perspective sees to infinity
     PixelSize size;
 };
 
@@ -53,7 +53,7 @@ f64::Ray pixel_ray(const View& view, double x, double y);
 // The point of the picture, in pixels, where a world point appears, and its depth.
 glm::dvec3 project(const View& view, const glm::dvec3& world);
 
-// Depth as the depth buffer holds it (reversed: 1 at the near plane, 0 farthest), and back.
+// Depth as the depth buffer holds it (shaders/camera.glsl), and back.
 double buffer_depth(const View& view, double depth_m);
 double depth_from_buffer(const View& view, double buffer_depth);
 

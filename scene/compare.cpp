@@ -74,6 +74,10 @@ void compare_row(const Reference& reference, const View& view, const Picture& pi
         const bool tie = is_tie(reference, view, {x, y, seen}) ||
                          (both && is_equal_depth(reference, view, ray, seen, truth.t));
         (tie ? kind.tie : kind.hard) += 1;
+        if (!tie && into.wrong_pixels.size() < wrong_pixels_max) {
+            into.wrong_pixels.push_back(
+                {0, x, y, seen, truth.part, static_cast<double>(picture.depth_m[at]), truth.t});
+        }
     }
 }
 
@@ -101,12 +105,18 @@ void compare(const Reference& reference, const View& view, const Picture& pictur
     for (std::thread& thread : threads) {
         thread.join();
     }
-    into.views += 1;
+    const std::uint64_t view_number = into.views++;
     for (const Comparison& row : rows) {
         into.hit_pixels += row.hit_pixels;
         add(row.missed, into.missed);
         add(row.false_hits, into.false_hits);
         add(row.wrong_id, into.wrong_id);
+        for (WrongPixel pixel : row.wrong_pixels) {
+            if (into.wrong_pixels.size() < wrong_pixels_max) {
+                pixel.view = view_number;
+                into.wrong_pixels.push_back(pixel);
+            }
+        }
         into.depth_errors.insert(into.depth_errors.end(), row.depth_errors.begin(),
                                  row.depth_errors.end());
         into.normal_errors_deg.insert(into.normal_errors_deg.end(), row.normal_errors_deg.begin(),

@@ -28,6 +28,18 @@ struct ErrorFigures {
     double max = 0.0;
 };
 
+// A hard wrong pixel, counted from the lower left.
+struct WrongPixel {
+    std::uint64_t view = 0;
+    int x = 0;
+    int y = 0;
+    std::uint32_t seen = no_index;   // part in the picture
+    std::uint32_t truth = no_index;  // part that the reference hits
+    double seen_depth_m = 0.0;
+    double true_depth_m = 0.0;
+};
+constexpr std::size_t wrong_pixels_max = 16;
+
 struct Comparison {
     std::uint64_t views = 0;
     std::uint64_t hit_pixels = 0;  // where the reference hits
@@ -36,6 +48,7 @@ struct Comparison {
     HardAndTie wrong_id;
     std::vector<float> depth_errors;  // relative, where both hit the same part
     std::vector<float> normal_errors_deg;
+    std::vector<WrongPixel> wrong_pixels;  // the first ones
 };
 
 void compare(const Reference& reference, const View& view, const Picture& picture,

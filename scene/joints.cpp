@@ -10,10 +10,10 @@
 namespace quartic {
 namespace {
 
-// Ends farther apart than this are not joined: the walls of open ends overlap by half of it each
-// (joint_overlap_max in primitives/ray.glsl), so a wider gap would let the eye in.
-constexpr double gap_max_m = 1e-4;
-constexpr double gap_of_radius_max = 0.02;
+// Ends farther apart than this are not joined: each wall of a joint goes on for as much beyond its
+// open end (joint_overlap_max in primitives/ray.glsl), so a wider gap would let the eye in.
+constexpr double gap_max_m = 5e-5;
+constexpr double gap_of_radius_max = 0.01;
 constexpr double radius_slack =
     1.001;  // an end hides a neighbour's cap that is wider by this at the most
 constexpr double facing_cosine = -0.9999995;  // normals opposite within 0.06 degrees
@@ -51,7 +51,7 @@ std::vector<PlacedEnd> ends_of(const Scene& scene) {
 }
 
 // Cells far wider than a gap: ends that may be joined nearly always lie in one.
-constexpr double cell_m = 100.0 * gap_max_m;
+constexpr double cell_m = 200.0 * gap_max_m;
 
 struct CellKey {
     std::int64_t x, y, z;

@@ -3,22 +3,36 @@ layout(std140, binding = binding_camera) uniform CameraUniform {
     CameraBlock camera;
 };
 
-// Reversed: 1 at the near plane, 0 at infinity (perspective) or at the far plane (orthographic).
+// Reversed: 1 at the near plane, 0 at infinity. Orthographic depths are counted from the focus: before
+// it linear, behind it as in perspective, with the picture's height for a unit, so that float keeps
+// its digits where one looks, however far away the eye is. A convex function of depth.
+float picture_height() {
+    return float(2.0 * camera.half_height * camera.step);
+}
+
+float near_from_focus() {
+    return float(camera.near_depth - camera.focus_depth);
+}
+
+float focused(float heights) {
+    return heights < 0.0 ? 1.0 - heights : 1.0 / (1.0 + heights);
+}
+
 float buffer_depth(float depth) {
-    float near_depth = float(camera.near_depth);
-    float far_depth = float(camera.far_depth);
-    return camera.orthographic != 0 ? (far_depth - depth) / (far_depth - near_depth)
-                                    : near_depth / depth;
+    float height = picture_height();
+    return camera.orthographic != 0 ? focused(depth / height) / focused(near_from_focus() / height)
+                                    : float(camera.near_depth) / depth;
 }
 
 float depth_from_buffer(float value) {
-    float near_depth = float(camera.near_depth);
-    float far_depth = float(camera.far_depth);
-    return camera.orthographic != 0 ? far_depth - value * (far_depth - near_depth)
-                                    : near_depth / value;
+    float height = picture_height();
+    float g = value * focused(near_from_focus() / height);
+    return camera.orthographic != 0 ? height * (g > 1.0 ? 1.0 - g : 1.0 / g - 1.0)
+                                    : float(camera.near_depth) / value;
 }
 
-// Clip coordinates of a world point given relative to the eye.
+// Clip coordinates of a world point given relative to the eye. In orthographic views their depth only
+// serves to clip: fragments write buffer_depth(), which is not linear.
 vec4 clip_from_eye(dvec3 p) {
     dvec2 half_size = dvec2(camera.half_width, camera.half_height) * camera.step;
     double depth = -dot(camera.back.xyz, p);

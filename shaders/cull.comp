@@ -77,9 +77,12 @@ uint column_of(uint locator, Seen seen) {
         return no_column;
     }
     int kind = command_box;
-    if (seen.nearest_depth <= float(camera.near_depth) * 1.001) {
+    // Facets have linear depths, as perspective needs them.
+    bool facets = batch.drawn_as == drawn_as_polyhedron;
+    float near_depth = float(camera.near_depth) + 0.001 * abs(float(camera.near_depth));
+    if (seen.nearest_depth <= near_depth || (facets && camera.orthographic != 0)) {
         kind = command_near;
-    } else if (seen.size_px > hull_size_min_px && batch.drawn_as == drawn_as_rays) {
+    } else if (seen.size_px > hull_size_min_px && !facets) {
         kind = command_hull;
     }
     return (locator >> locator_shift) * uint(commands_per_batch) + uint(kind);

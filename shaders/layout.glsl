@@ -28,7 +28,7 @@ struct CameraBlock {
     double step;  // of a pixel: tangent, or metres in orthographic projection
     double near_depth;
     double far_depth;  // orthographic only
-    double unused_0;
+    double focus_depth;  // depths are counted from here in orthographic views; 0 in perspective
     double half_width;  // of the picture in pixels
     double half_height;
     double jitter_x;  // of all rays, in pixels

@@ -5,7 +5,13 @@
 
 flat in uint part;
 in vec3 normal;
+in float depth;
 
 void main() {
+    bool parallel = camera.orthographic != 0;
+    if (parallel && depth < near_from_focus()) {
+        discard;
+    }
+    gl_FragDepth = parallel ? buffer_depth(depth) : gl_FragCoord.z;
     put_surface(part, normalize(normal));
 }

@@ -15,11 +15,14 @@ layout(location = 1) in vec3 vertex_normal;
 
 flat out uint part;
 out vec3 normal;
+out float depth;
 
 void main() {
     Placement placement = records[gl_BaseInstanceARB];
     dvec4 rotation = exact_rotation_of(placement);
     part = placement.part;
     normal = turn(vec4(rotation), vertex_normal);
-    gl_Position = clip_from_eye(place_from_eye(placement) + turn(rotation, dvec3(position)));
+    dvec3 from_eye = place_from_eye(placement) + turn(rotation, dvec3(position));
+    depth = float(-dot(camera.back.xyz, from_eye) - camera.focus_depth);
+    gl_Position = clip_from_eye(from_eye);
 }

@@ -87,5 +87,13 @@ void main() {
                      bvec3((vertex & 1) != 0, (vertex & 2) != 0, (vertex & 4) != 0));
     }
 #endif
-    gl_Position = clip_from_eye(centre + turn(rotation, dvec3(corner)));
+    dvec3 from_eye = centre + turn(rotation, dvec3(corner));
+    gl_Position = clip_from_eye(from_eye);
+#ifndef NEAR
+    if (camera.orthographic != 0) {
+        // Convex: between the vertices it is interpolated to no less than what fragments write.
+        gl_Position.z =
+            buffer_depth(float(-dot(camera.back.xyz, from_eye) - camera.focus_depth));
+    }
+#endif
 }

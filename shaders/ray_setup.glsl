@@ -11,7 +11,7 @@ struct RaySetup {
     vec3 step_x;     // of the direction (perspective) or the origin (orthographic) for one pixel
     vec3 step_y;
     vec2 pixel;   // the reference pixel's centre
-    float depth;  // the reference depth
+    float depth;  // the reference depth, from the focus
 };
 
 Ray ray_of(RaySetup setup, vec2 pixel) {
@@ -21,6 +21,6 @@ Ray ray_of(RaySetup setup, vec2 pixel) {
     Ray ray;
     ray.origin = setup.origin + (parallel ? offset : setup.depth * offset);
     ray.direction = setup.direction + (parallel ? vec3(0.0) : offset);
-    ray.first = float(camera.near_depth) - setup.depth;
+    ray.first = near_from_focus() - setup.depth;
     return ray;
 }

@@ -1,7 +1,7 @@
 // A pipe run has no gaps at its joints, and its normals go on smoothly where its walls do.
 #include "scene/joints.h"
 #include "generators/generate.h"
-#include "gpu_fixture.h"
+#include "tests/gpu/gpu_fixture.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The GPU's own idea of the buffers' offsets against that of C++.
-#include "gpu_fixture.h"
 #include "scene/gpu_layout.h"
 #include "shaders/variants.h"
+#include "tests/gpu/gpu_fixture.h"
 
 #include <epoxy/gl.h>
 
@@ -47,16 +47,13 @@ using LayoutTest = GpuTest;
 
 TEST_F(LayoutTest, camera_block_has_the_same_offsets_in_the_culling_shader) {
     const GLuint program = compile(GL_COMPUTE_SHADER, cull_texts()[0].text);
-    expect_offsets(program, GL_UNIFORM,
-                   {MEMBER("camera.", CameraBlock, eye),
-                    MEMBER("camera.", CameraBlock, back),
-                    MEMBER("camera.", CameraBlock, step),
-                    MEMBER("camera.", CameraBlock, near_depth),
-                    MEMBER("camera.", CameraBlock, half_height),
-                    MEMBER("camera.", CameraBlock, orthographic),
-                    MEMBER("camera.", CameraBlock, size_min_px),
-                    MEMBER("camera.", CameraBlock, layer_mask),
-                    MEMBER("camera.", CameraBlock, cull_frustum)});
+    expect_offsets(
+        program, GL_UNIFORM,
+        {MEMBER("camera.", CameraBlock, eye), MEMBER("camera.", CameraBlock, back),
+         MEMBER("camera.", CameraBlock, step), MEMBER("camera.", CameraBlock, near_depth),
+         MEMBER("camera.", CameraBlock, half_height), MEMBER("camera.", CameraBlock, orthographic),
+         MEMBER("camera.", CameraBlock, size_min_px), MEMBER("camera.", CameraBlock, layer_mask),
+         MEMBER("camera.", CameraBlock, cull_frustum)});
     glDeleteProgram(program);
 }
 
@@ -65,11 +62,9 @@ TEST_F(LayoutTest, storage_blocks_have_the_same_offsets_in_the_culling_shader) {
     expect_offsets(
         program, GL_BUFFER_VARIABLE,
         {MEMBER("chunks[0].", ChunkBlock, z), MEMBER("chunks[0].", ChunkBlock, count),
-         MEMBER("bounds[0].", BoundsBlock, locator),
-         MEMBER("bounds[0].", BoundsBlock, layer),
+         MEMBER("bounds[0].", BoundsBlock, locator), MEMBER("bounds[0].", BoundsBlock, layer),
          MEMBER("commands[0].", Command, instance_count),
-         MEMBER("commands[0].", Command, part_count),
-         MEMBER("batches[0].", BatchBlock, drawn_as),
+         MEMBER("commands[0].", Command, part_count), MEMBER("batches[0].", BatchBlock, drawn_as),
          MEMBER("counts.", CountsBlock, culled_by_size)});
     glDeleteProgram(program);
 }
@@ -78,8 +73,8 @@ TEST_F(LayoutTest, records_of_every_shape_are_as_long_as_in_cpp) {
     for (const ShapeRow& shape : shape_table()) {
         const ProgramText text = program_text({shape.type, 1, 2, false, Pass::near});
         const GLuint program = compile(GL_VERTEX_SHADER, text.vertex);
-        const GLuint index = glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE,
-                                                       "records[0].placement.bits");
+        const GLuint index =
+            glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE, "records[0].placement.bits");
         ASSERT_NE(index, GL_INVALID_INDEX) << shape.name;
         const GLenum properties[] = {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE};
         GLint values[2] = {};

@@ -1,7 +1,7 @@
 // What a frame promises: culling changes nothing, layers hide, picking finds, translucent parts
 // show what is behind.
-#include "gpu_fixture.h"
 #include "scene/add_shape.h"
+#include "tests/gpu/gpu_fixture.h"
 
 #include <cmath>
 

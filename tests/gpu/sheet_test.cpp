@@ -1,7 +1,7 @@
 // Every primitive with every awkward parameter, pixel by pixel against the double reference.
 #include "generators/generate.h"
-#include "gpu_fixture.h"
 #include "scene/joints.h"
+#include "tests/gpu/gpu_fixture.h"
 
 #include <memory>
 

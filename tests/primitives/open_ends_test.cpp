@@ -91,7 +91,7 @@ TYPED_TEST(OpenEnds, an_open_wall_goes_on_by_the_overlap) {
             return;
         }
         const glm::dvec3 aside = kernel.across(end.normal);
-        const double overlap = kernel.joint_overlap(end.radius);
+        const double overlap = kernel.joint_overlap(end.radius, end.flare);
         const glm::dvec3 beyond = end.centre + 0.5 * overlap * end.normal;
         const f64::Ray ray = ray_from(beyond + (end.radius + 2.0 * overlap) * aside, -aside);
         const double reach = 4.0 * overlap;
