@@ -3,9 +3,9 @@ layout(std140, binding = binding_camera) uniform CameraUniform {
     CameraBlock camera;
 };
 
-// Reversed: 1 at the near plane, 0 at infinity. Orthographic depths are counted from the focus: before
-// it linear, behind it as in perspective, with the picture's height for a unit, so that float keeps
-// its digits where one looks, however far away the eye is. A convex function of depth.
+// Reversed: 1 at the near plane, 0 at infinity. Orthographic depths are counted from the focus:
+// before it linear, behind it as in perspective, with the picture's height for a unit, so that
+// float keeps its digits where one looks, however far away the eye is. A convex function of depth.
 float picture_height() {
     return float(2.0 * camera.half_height * camera.step);
 }
@@ -31,8 +31,8 @@ float depth_from_buffer(float value) {
                                     : float(camera.near_depth) / value;
 }
 
-// Clip coordinates of a world point given relative to the eye. In orthographic views their depth only
-// serves to clip: fragments write buffer_depth(), which is not linear.
+// Clip coordinates of a world point given relative to the eye. In orthographic views their depth
+// only serves to clip: fragments write buffer_depth(), which is not linear.
 vec4 clip_from_eye(dvec3 p) {
     dvec2 half_size = dvec2(camera.half_width, camera.half_height) * camera.step;
     double depth = -dot(camera.back.xyz, p);

@@ -1,8 +1,8 @@
 // Which parts are in the picture, and by which proxy: one group for each chunk.
 //
 // Three dispatches make lists in the order of the chunks, whatever order the GPU works in, so that
-// surfaces of equal depth look the same in every run: this one decides and counts, cull_offsets.comp
-// adds up the chunks' counts, cull_lists.comp writes.
+// surfaces of equal depth look the same in every run: this one decides and counts,
+// cull_offsets.comp adds up the chunks' counts, cull_lists.comp writes.
 #include "shaders/layout.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/cull_buffers.glsl"

@@ -1,4 +1,5 @@
-// Turns the counts of chunks into offsets, and fills in the indirect draws: one thread for each column.
+// Turns the counts of chunks into offsets, and fills in the indirect draws: one thread for each
+// column.
 #include "shaders/layout.glsl"
 #include "shaders/cull_buffers.glsl"
 

@@ -27,9 +27,9 @@ struct CameraBlock {
     dvec4 back;
     double step;  // of a pixel: tangent, or metres in orthographic projection
     double near_depth;
-    double far_depth;  // orthographic only
+    double far_depth;    // orthographic only
     double focus_depth;  // depths are counted from here in orthographic views; 0 in perspective
-    double half_width;  // of the picture in pixels
+    double half_width;   // of the picture in pixels
     double half_height;
     double jitter_x;  // of all rays, in pixels
     double jitter_y;

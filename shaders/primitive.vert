@@ -92,8 +92,7 @@ void main() {
 #ifndef NEAR
     if (camera.orthographic != 0) {
         // Convex: between the vertices it is interpolated to no less than what fragments write.
-        gl_Position.z =
-            buffer_depth(float(-dot(camera.back.xyz, from_eye) - camera.focus_depth));
+        gl_Position.z = buffer_depth(float(-dot(camera.back.xyz, from_eye) - camera.focus_depth));
     }
 #endif
 }

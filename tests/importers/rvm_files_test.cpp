@@ -1,8 +1,8 @@
 // Real files: counts, both forms against each other, attributes.
 #include "importers/load.h"
 #include "importers/rvm_chunks.h"
+#include "tests/importers/model_files.h"
 #include "tests/importers/rvm_bytes.h"
-#include "tests/importers/test_data.h"
 
 #include <gtest/gtest.h>
 
