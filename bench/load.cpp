@@ -98,7 +98,8 @@ Body find_body(std::span<const std::byte> bytes) {
 Result<LoadFigures> measure_load(const Source& model, int rounds, int thread_count) {
     LoadFigures figures;
     figures.bytes = model.bytes().size();
-    figures.thread_count = thread_count;
+    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+    figures.thread_count = thread_count != 0 ? thread_count : std::max(1, cores);
     float sum = 0.0f;
     for (int round = -1; round < rounds; ++round) {
         if (is_rvm(model.bytes())) {

@@ -52,10 +52,18 @@ Result<Output> Output::create(const std::string& path) {
     return output;
 }
 
+Output Output::to_memory(std::vector<std::byte>& bytes) {
+    Output output;
+    output.path_ = "-";
+    output.memory_ = &bytes;
+    return output;
+}
+
 Output::Output(Output&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_path_(std::exchange(other.temporary_path_, {})),
       buffer_(std::move(other.buffer_)),
+      memory_(std::exchange(other.memory_, nullptr)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       failure_(other.failure_) {}
 
@@ -74,6 +82,12 @@ void Output::write(std::span<const std::byte> bytes) {
 }
 
 void Output::flush() {
+    if (memory_ != nullptr) {
+        const auto added = std::as_bytes(std::span(buffer_));
+        memory_->insert(memory_->end(), added.begin(), added.end());
+        buffer_.clear();
+        return;
+    }
     std::size_t done = 0;
     while (done < buffer_.size() && failure_ == 0) {
         const ssize_t written = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);

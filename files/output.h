@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace quartic {
 
@@ -15,6 +16,9 @@ namespace quartic {
 class Output {
 public:
     static Result<Output> create(const std::string& path);
+
+    // Appends to the bytes of the caller, which must outlive it; commit() brings the last of them.
+    static Output to_memory(std::vector<std::byte>& bytes);
 
     Output(Output&& other) noexcept;
     Output& operator=(Output&& other) = delete;
@@ -35,6 +39,7 @@ private:
     std::string path_;
     std::string temporary_path_;
     std::string buffer_;
+    std::vector<std::byte>* memory_ = nullptr;  // instead of a file
     int descriptor_ = -1;
     int failure_ = 0;  // errno of the first failed write
 };
