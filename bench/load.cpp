@@ -11,6 +11,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace quartic {
