@@ -34,7 +34,7 @@ ExitCode convert(const ConvertArguments& arguments) {
     if (!writable) {
         return report_error(writable.error());
     }
-    const Result<Model> model = load_only_model(arguments.files, arguments.reporting);
+    const Result<Model> model = load_models(arguments.files, arguments.reporting);
     if (!model) {
         return report_error(model.error());
     }

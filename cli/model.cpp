@@ -71,6 +71,10 @@ double elapsed_ms(Moment since) {
 }
 
 Result<Model> load_model(const std::string& path, const Reporting& reporting) {
+    return load_models({path}, reporting);
+}
+
+Result<Model> load_models(const std::vector<std::string>& paths, const Reporting& reporting) {
     set_time_limit(reporting.time_limit_s);
     const Moment start = now();
     ProgressDisplay display(chosen_display(reporting));
@@ -82,22 +86,17 @@ Result<Model> load_model(const std::string& path, const Reporting& reporting) {
         }
     });
     progress_in_use = &progress;
-    Result<Scene> scene = load_scene(path, {}, progress);
+    Result<Scene> scene = load_scenes(paths, {}, progress);
     if (!scene) {
         return scene.error();
+    }
+    std::string path = paths.front();
+    for (std::size_t i = 1; i < paths.size(); ++i) {
+        path += " + " + paths[i];
     }
     Model model{path, std::move(scene).value(), 0.0};
     model.load_ms = elapsed_ms(start);
     return model;
-}
-
-Result<Model> load_only_model(const std::vector<std::string>& paths, const Reporting& reporting) {
-    if (paths.size() != 1) {
-        return Error{ErrorKind::usage, paths.empty() ? std::string() : paths[1],
-                     "expected one model, found " + std::to_string(paths.size()) +
-                         "; models cannot be drawn together yet: name one"};
-    }
-    return load_model(paths.front(), reporting);
 }
 
 Status save_model(const Scene& scene, const std::string& path) {

@@ -19,8 +19,8 @@ struct Model {
 // Shows progress as the options say. Interrupted if a signal came.
 Result<Model> load_model(const std::string& path, const Reporting& reporting);
 
-// As load_model, for verbs that draw one model: an error of usage if there are several.
-Result<Model> load_only_model(const std::vector<std::string>& paths, const Reporting& reporting);
+// As load_model, of several files as one model.
+Result<Model> load_models(const std::vector<std::string>& paths, const Reporting& reporting);
 
 // In the format that the path's extension names; - is RVM on standard output.
 Status save_model(const Scene& scene, const std::string& path);

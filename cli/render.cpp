@@ -280,7 +280,7 @@ ExitCode render(const RenderArguments& arguments) {
     if (!writable) {
         return report_error(writable.error());
     }
-    Result<Model> loaded = load_only_model(arguments.files, arguments.reporting);
+    Result<Model> loaded = load_models(arguments.files, arguments.reporting);
     if (!loaded) {
         return report_error(loaded.error());
     }

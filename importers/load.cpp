@@ -3,6 +3,7 @@
 
 #include "importers/content_name.h"
 #include "importers/formats.h"
+#include "scene/append.h"
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,32 @@ Result<Scene> load_scene(const std::string& path, const ImportOptions& options,
         return source.error();
     }
     return load_scene(source.value(), options, progress);
+}
+
+Result<Scene> load_scenes(std::span<const std::string> paths, const ImportOptions& options,
+                          Progress& progress) {
+    Scene all;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        Progress* of_file = nullptr;
+        Progress one([&](double fraction) {
+            progress.report((static_cast<double>(i) + fraction) /
+                            static_cast<double>(paths.size()));
+            if (progress.cancelled()) {
+                of_file->cancel();
+            }
+        });
+        of_file = &one;
+        Result<Scene> scene = load_scene(paths[i], options, one);
+        if (!scene) {
+            return scene;
+        }
+        if (i == 0) {
+            all = std::move(scene).value();
+        } else {
+            append_scene(all, std::move(scene).value());
+        }
+    }
+    return all;
 }
 
 }  // namespace quartic

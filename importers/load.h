@@ -59,4 +59,8 @@ std::span<const Importer> importer_table();
 Result<Scene> load_scene(const std::string& path, const ImportOptions& options, Progress& progress);
 Result<Scene> load_scene(const Source& source, const ImportOptions& options, Progress& progress);
 
+// Several files as one model, in their order. The first that cannot be loaded ends it.
+Result<Scene> load_scenes(std::span<const std::string> paths, const ImportOptions& options,
+                          Progress& progress);
+
 }  // namespace quartic

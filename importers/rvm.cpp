@@ -3,7 +3,7 @@
 #include "importers/attributes.h"
 #include "importers/formats.h"
 #include "importers/rvm_chunks.h"
-#include "importers/scene_append.h"
+#include "scene/append.h"
 
 #include <algorithm>
 #include <array>

@@ -128,10 +128,10 @@ void draw_sample(App& app) {
     }
 }
 
-void open_model(App& app, const std::string& path) {
+void open_model(App& app, std::vector<std::string> paths) {
     app.loading.reset();  // the one before is cancelled
     app.failure.clear();
-    app.loading = std::make_unique<Loading>(path, app.solver);
+    app.loading = std::make_unique<Loading>(std::move(paths), app.solver);
 }
 
 void cancel_loading(App& app) {

@@ -95,7 +95,7 @@ struct App {
 
 void perform(App& app, Action action);
 
-void open_model(App& app, const std::string& path);
+void open_model(App& app, std::vector<std::string> paths);
 void cancel_loading(App& app);
 // Takes over what the loading thread has finished, if it has.
 void receive_model(App& app);

@@ -14,13 +14,13 @@
 namespace quartic::viewer {
 
 struct Loading::Shared {
-    explicit Shared(const std::string& opened)
-        : path(opened), progress([this](double read) {
+    explicit Shared(std::vector<std::string> opened)
+        : paths(std::move(opened)), progress([this](double read) {
               fraction = read;
               wake();
           }) {}
 
-    const std::string path;
+    const std::vector<std::string> paths;  // at least one
     std::atomic<double> fraction{0.0};
     std::atomic<const char*> step{"reading"};
     std::atomic<bool> finished{false};
@@ -46,12 +46,12 @@ struct Loading::Shared {
 
 Result<std::unique_ptr<Model>> Loading::Shared::load(int solver) {
     const auto start = std::chrono::steady_clock::now();
-    Result<Scene> scene = load_scene(path, {}, progress);
+    Result<Scene> scene = load_scenes(paths, {}, progress);
     if (!scene) {
         return scene.error();
     }
     auto model = std::make_unique<Model>();
-    model->path = path;
+    model->path = paths.front();
     model->scene = std::move(scene).value();
     if (!progress.cancelled()) {
         begin("finding joints");
@@ -72,13 +72,15 @@ void Loading::Shared::run(int solver) {
     try {
         result = load(solver);
     } catch (const std::exception& exception) {  // out of memory
-        result = Error{ErrorKind::io, path, std::string("opening failed: ") + exception.what()};
+        result =
+            Error{ErrorKind::io, paths.front(), std::string("opening failed: ") + exception.what()};
     }
     finished = true;
     wake();
 }
 
-Loading::Loading(const std::string& path, int solver) : shared_(std::make_shared<Shared>(path)) {
+Loading::Loading(std::vector<std::string> paths, int solver)
+    : shared_(std::make_shared<Shared>(std::move(paths))) {
     std::thread([shared = shared_, solver] { shared->run(solver); }).detach();
 }
 
@@ -89,7 +91,7 @@ Loading::~Loading() {
 }
 
 const std::string& Loading::path() const {
-    return shared_->path;
+    return shared_->paths.front();
 }
 
 double Loading::fraction() const {

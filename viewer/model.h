@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace quartic::viewer {
 
@@ -18,18 +19,18 @@ struct Model {
     double load_ms = 0.0;
 };
 
-// Opens a file beside the window. Whoever lets go of it cancels it and does not wait: a step that
-// cannot be cancelled ends by itself, on its thread.
+// Opens files, as one model, beside the window. Whoever lets go of it cancels it and does not wait:
+// a step that cannot be cancelled ends by itself, on its thread.
 class Loading {
 public:
-    Loading(const std::string& path, int solver);
+    Loading(std::vector<std::string> paths, int solver);
     Loading(const Loading&) = delete;
     Loading& operator=(const Loading&) = delete;
     ~Loading();
 
-    const std::string& path() const;
-    double fraction() const;   // of the reading
-    const char* step() const;  // "reading", ...
+    const std::string& path() const;  // of the first file
+    double fraction() const;          // of the reading
+    const char* step() const;         // "reading", ...
     bool is_finished() const;
     // Once, when finished.
     Result<std::unique_ptr<Model>> take();

@@ -202,7 +202,7 @@ struct Taker {
     void operator()(const CharacterEvent& event) const {
         press_key(app, find_action_of_character(event.character), true);
     }
-    void operator()(const DropEvent& event) const { open_model(app, event.path); }
+    void operator()(const DropEvent& event) const { open_model(app, {event.path}); }
 };
 
 // Wheel notches that came while a picture was drawn are one motion: the depth is read once.

@@ -120,7 +120,7 @@ void show_panels(App& app) {
     show_loading(app);
     show_failure(app);
     if (const std::optional<std::string> chosen = app.browser.show(app.scale)) {
-        open_model(app, *chosen);
+        open_model(app, {*chosen});
     }
     place_view(app, strip);
 }

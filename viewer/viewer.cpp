@@ -106,13 +106,8 @@ void run(App& app) {
 namespace quartic {
 
 Result<int> run_viewer(const ViewerOptions& options) {
-    if (options.files.size() > 1) {
-        return Error{ErrorKind::usage, options.files[1],
-                     "expected at most one model, found " + std::to_string(options.files.size()) +
-                         "; models cannot be shown together yet: name one"};
-    }
-    if (!options.files.empty()) {
-        const Result<Source> source = Source::open(options.files.front());
+    for (const std::string& file : options.files) {
+        const Result<Source> source = Source::open(file);
         if (!source) {
             return source.error();  // before a window flashes up
         }
@@ -135,7 +130,7 @@ Result<int> run_viewer(const ViewerOptions& options) {
     app.solver = options.solver;
     const viewer::Gui gui(app.window);  // ends before the window does
     if (!options.files.empty()) {
-        viewer::open_model(app, options.files.front());
+        viewer::open_model(app, options.files);
     }
     viewer::run(app);
     return 0;

@@ -9,7 +9,7 @@
 namespace quartic {
 
 struct ViewerOptions {
-    std::vector<std::string> files;  // at most one can be shown yet; none: an empty window
+    std::vector<std::string> files;  // shown as one model; none: an empty window
     int solver = 0;                  // overrides the materials' solvers; 0: does not
     std::string camera;              // as find_camera has it; empty: fit
     bool software = false;           // Mesa's software OpenGL, whatever hardware there is

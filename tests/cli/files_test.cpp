@@ -2,6 +2,7 @@
 #include "tests/cli/run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace quartic {
 namespace {
@@ -80,8 +81,21 @@ TEST(Files, old_output_stays_when_the_work_fails) {
     EXPECT_EQ(folder.file_count(), 2u);
 }
 
-TEST(Files, several_models_cannot_be_drawn_together) {
-    expect_one_line(run_quartic({"render", "a.rvm", "b.rvm", "-o", "a.png"}), 2, "name one");
+TEST(Files, several_files_become_one_model) {
+    const TemporaryFolder folder;
+    const std::string tori = folder.path("tori.rvm");
+    const std::string run = folder.path("run.rvm");
+    const std::string both = folder.path("both.rvm");
+    ASSERT_EQ(run_quartic({"generate", "tori", "--count", "3", "-o", tori, "--quiet"}).code, 0);
+    ASSERT_EQ(run_quartic({"generate", "run", "-o", run, "--quiet"}).code, 0);
+    ASSERT_EQ(run_quartic({"convert", tori, run, "-o", both, "--quiet"}).code, 0);
+    const auto parts = [](const std::string& path) {
+        const Answer info = run_quartic({"info", path, "--json"});
+        return nlohmann::json::parse(info.out).at("parts").get<int>();
+    };
+    EXPECT_EQ(parts(both), parts(tori) + parts(run));
+    expect_one_line(run_quartic({"render", tori, "missing.rvm", "-o", folder.path("a.png")}), 4,
+                    "missing.rvm");
 }
 
 TEST(Files, no_usable_opengl_has_its_own_exit_code) {

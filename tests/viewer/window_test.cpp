@@ -237,9 +237,9 @@ TEST(WindowWithoutScreen, missing_file_is_told_before_a_window_opens) {
               100 + static_cast<int>(ErrorKind::io));
 }
 
-TEST(WindowWithoutScreen, two_models_are_an_error_of_usage) {
+TEST(WindowWithoutScreen, the_first_of_several_files_that_is_missing_is_an_error) {
     EXPECT_EQ(code_of(start_viewer("", {"a.rvm", "b.rvm"})),
-              100 + static_cast<int>(ErrorKind::usage));
+              100 + static_cast<int>(ErrorKind::io));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Puts the parts that were made apart, in order, into one scene.
+// Puts together what was made apart: blocks of one scene's parts, or whole scenes.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,5 +12,10 @@ namespace quartic {
 // by the table. The block's arrays end up empty but keep their memory, for the next block. Nodes,
 // strings, findings and attributes are left alone.
 void append_parts(Scene& scene, Scene& block, std::span<const std::uint32_t> material_numbers);
+
+// Moves all of another scene to the end of this one: several files of one site become one model.
+// Kinds of the same name are one kind; nodes, materials and strings are renumbered. Joints are not
+// looked for.
+void append_scene(Scene& scene, Scene&& other);
 
 }  // namespace quartic
