@@ -267,6 +267,12 @@ Status check_outputs(const RenderArguments& arguments) {
             return Error{ErrorKind::usage, "-o -",
                          "standard output cannot hold both the picture and --json; name a file"};
         }
+        const std::string_view ending = path == arguments.depth ? ".exr" : ".png";
+        if (path != "-" && !path.ends_with(ending)) {
+            return Error{ErrorKind::usage, path,
+                         "expected a name that ends in " + std::string(ending) +
+                             ", the format that is written"};
+        }
         const Result<Output> output = Output::create(path);
         if (!output) {
             return output.error();

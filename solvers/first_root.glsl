@@ -7,8 +7,11 @@ const int solver_convexity_split = 1;
 // The first root of f in [low, high]; the position error is about the square of the tolerance,
 // relative to the curve.
 Root first_root(Quartic f, real low, real high, real tolerance, int solver) {
+    Root root;
+    root.found = false;
+    root.t = low;
     if (solver == solver_convexity_split) {
-        return first_root_convexity_split(f, low, high, tolerance);
+        root = first_root_convexity_split(f, low, high, tolerance);
     }
-    return first_root_convexity_split(f, low, high, tolerance);
+    return root;
 }
