@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <set>
 #include <utility>
 
 namespace quartic::cli {
@@ -83,10 +82,13 @@ ordered_json shapes_as_json(const Scene& scene) {
 
 // Parts that are another placing of a shape or mesh that an earlier part has.
 std::uint64_t count_instances(const Scene& scene) {
-    std::set<std::pair<ShapeType, std::uint32_t>> seen;
+    std::array<std::vector<bool>, shape_type_count> seen;  // by type: which of its array
     std::uint64_t instances = 0;
     for (const Part& part : scene.parts) {
-        instances += seen.emplace(part.type, part.shape).second ? 0u : 1u;
+        std::vector<bool>& of_type = seen[static_cast<std::size_t>(part.type)];
+        of_type.resize(std::max<std::size_t>(of_type.size(), part.shape + 1u));
+        instances += of_type[part.shape] ? 1u : 0u;
+        of_type[part.shape] = true;
     }
     return instances;
 }
@@ -137,7 +139,7 @@ ordered_json as_json(const Model& model) {
             {"unit", scene.unit},
             {"up_axis", scene.up_axis},
             {"bytes_per_instance_gpu", bytes_per_instance(scene)},
-            {"max_deviation_m", 0.0},
+            {"max_deviation_m", scene.max_deviation_m},
             {"load_ms", model.load_ms},
             {"peak_memory_bytes", peak_memory_bytes()},
             {"findings", findings_as_json(scene.findings)}};

@@ -265,14 +265,19 @@ void RvmConverter::bake(const RvmPrimitive& primitive, const RvmPlacement& place
                    is_empty(primitive) ? Severity::note : Severity::loss, place);
         return;
     }
+    const double sagitta = sagitta_for(primitive);
+    const glm::dmat3 axes = placement.axes / local_unit;
     for (const Part& shape : scratch.parts) {
-        const Triangles triangles = tessellate_part(scratch, shape, sagitta_for(primitive));
+        const Triangles triangles = tessellate_part(scratch, shape, sagitta);
         glm::dvec3 centre(0.0);
-        Mesh mesh = transformed(triangles, placement.axes / local_unit, centre);
+        Mesh mesh = transformed(triangles, axes, centre);
         baked_corners_ += mesh.positions.size();
         part.placement.position = placement.placement.position + centre;
         add_mesh_part(scene_, std::move(mesh), part);
     }
+    // No direction is stretched by more than the matrix's Frobenius norm.
+    tally_.deviates(sagitta * std::sqrt(glm::dot(axes[0], axes[0]) + glm::dot(axes[1], axes[1]) +
+                                        glm::dot(axes[2], axes[2])));
     tally_.add(kind, Became::tessellated, placement.reason, Severity::warning, place);
 }
 

@@ -51,6 +51,7 @@ void RvmTally::notice(Severity severity, std::string_view text, std::uint64_t pl
 }
 
 void RvmTally::add_all(const RvmTally& other) {
+    deviates(other.deviation_m_);
     for (std::size_t kind = 0; kind < plain_.size(); ++kind) {
         for (std::size_t became = 0; became < plain_[kind].size(); ++became) {
             plain_[kind][became] += other.plain_[kind][became];
@@ -70,6 +71,7 @@ void RvmTally::add_all(const RvmTally& other) {
 }
 
 void RvmTally::write(Scene& scene, std::string_view unit) const {
+    scene.max_deviation_m = deviation_m_;
     scene.kind_counts.assign(rvm_kind_names.size(), 0);
     for (std::size_t kind = 0; kind < rvm_kind_names.size(); ++kind) {
         for (std::size_t became = 0; became < became_names.size(); ++became) {

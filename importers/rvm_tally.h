@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -47,12 +48,17 @@ public:
     void notice(Severity severity, std::string_view text, std::uint64_t place,
                 std::uint64_t count = 1);
 
+    // What was tessellated lies at most so far (metres) from the surface it stands for.
+    void deviates(double deviation_m) { deviation_m_ = std::max(deviation_m_, deviation_m); }
+
     void add_all(const RvmTally& other);
 
     // Writes kinds, counts, outcomes and findings; a place is printed as "unit N".
     void write(Scene& scene, std::string_view unit) const;
 
 private:
+    double deviation_m_ = 0.0;
+
     struct Entry {
         RvmKindName kind = RvmKindName::unknown;
         Became became = Became::skipped;

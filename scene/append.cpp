@@ -97,6 +97,7 @@ void append_scene(Scene& scene, Scene&& other) {
     }
     append_parts(scene, other, materials);
     append_outcomes(scene, other);
+    scene.max_deviation_m = std::max(scene.max_deviation_m, other.max_deviation_m);
     scene.findings.add_all(other.findings);
     scene.title += (scene.title.empty() || other.title.empty() ? "" : " + ") + other.title;
 }

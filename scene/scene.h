@@ -89,7 +89,8 @@ struct Scene {
     std::vector<std::uint64_t> kind_counts;  // how many of each the source held, drawn or not
     std::vector<Outcome> outcomes;
     Findings findings;
-    std::string unit = "m";  // of the source; the scene itself is in metres
+    double max_deviation_m = 0.0;  // of triangles from the surfaces they stand for
+    std::string unit = "m";        // of the source; the scene itself is in metres
     std::string up_axis = "z";
     std::string title;  // what the source calls itself
 };

@@ -204,6 +204,8 @@ TEST(rvm_kinds, stretched_sheared_and_mirrored_parts_are_baked_inside_in) {
         ASSERT_EQ(scene.parts.size(), 1u);
         EXPECT_EQ(scene.parts[0].type, ShapeType::mesh);
         EXPECT_EQ(outcome_count(scene, "cylinder", "tessellated"), 1u);
+        EXPECT_GT(scene.max_deviation_m, 0.0);
+        EXPECT_LT(scene.max_deviation_m, 0.01);
         EXPECT_NEAR(volume_of(scene.meshes[0]), volume, 0.02 * volume);  // positive: wound outwards
         EXPECT_NEAR(glm::length(scene.parts[0].placement.position - glm::dvec3(1, 2, 3)), 0.0,
                     1e-3);
