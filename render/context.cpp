@@ -66,6 +66,19 @@ EGLContext make_context(EGLDisplay display) {
     return context;
 }
 
+// Numbers that OpenGL 4.5 alone does not promise, and the shaders need.
+struct Limit {
+    GLenum name;
+    GLint least;
+    const char* text;
+};
+constexpr Limit limits[] = {
+    {GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, 6, "storage blocks in vertex shaders"},
+    {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 3, "storage blocks in fragment shaders"},
+    {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 8, "storage blocks in compute shaders"},
+    {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 12, "bindings of storage blocks"},
+};
+
 }  // namespace
 
 Result<HeadlessContext> HeadlessContext::create(ContextKind kind) {
@@ -129,6 +142,13 @@ Status check_context() {
     }
     if (!epoxy_has_gl_extension("GL_ARB_shader_draw_parameters")) {
         return lacks("GL_ARB_shader_draw_parameters");
+    }
+    for (const Limit& limit : limits) {
+        GLint value = 0;
+        glGetIntegerv(limit.name, &value);
+        if (value < limit.least) {
+            return lacks(std::to_string(limit.least) + " " + limit.text);
+        }
     }
     return Done{};
 }
