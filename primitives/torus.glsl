@@ -150,11 +150,20 @@ real quartic_slack(Torus torus) {
 // A line passes through a tube at most twice; one visit more for a start in the slack.
 const int torus_visits_max = 3;
 
+Search wall_search(Torus torus, real low, real high) {
+    Search search;
+    search.low = low;
+    search.high = high;
+    search.tolerance = last_step() * torus.radius;
+    search.scale = torus.bend_radius + torus.radius;
+    return search;
+}
+
 // The wall's first crossing in [low, high] of the line p + t v for a tube so thin that the float32
 // quartic errs by a visible part of it: the quartic of a tube thicker by that error finds every
 // visit, polishing decides.
 Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver) {
-    real tolerance = last_step() * torus.radius;
+    Search search = wall_search(torus, low, high);
     real skip =
         real(0.05) * torus.radius;  // over the rounding at a root; visits this short touch nothing
     Quartic f = torus_quartic(torus.bend_radius, torus.radius + quartic_slack(torus), p, v);
@@ -169,7 +178,8 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
             way_in.found = true;
             way_in.t = from;
             if (quartic_value(f, from) >= real(0)) {
-                way_in = first_root(f, from, high, tolerance, solver);
+                search.low = from;
+                way_in = first_root(f, search, solver);
             }
             if (!way_in.found) {
                 return root;
@@ -179,7 +189,8 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
             from = way_in.t + skip;
         }
         if (!root.found && (inside || quartic_value(f, from) < real(0))) {
-            Root way_out = first_root(f, from, high, tolerance, solver);
+            search.low = from;
+            Root way_out = first_root(f, search, solver);
             real last = way_out.found ? way_out.t : high;
             if (inside) {
                 root = polish(torus, p, v, last, real(1));
@@ -195,14 +206,20 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
     return root;
 }
 
+// Solvers without a flaw of their own are spared the quartic's rounding; the others get the plain
+// quartic, so that a comparison shows what each of them does.
 Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver) {
-    if (torus.bend_radius > real(2) * torus.radius) {
+    bool exact = solver == solver_convexity_split;
+    if (exact && torus.bend_radius > real(2) * torus.radius) {
         return first_thin_root(torus, p, v, low, high, solver);
     }
-    // Where the tube nearly meets the axis it bends far more sharply than its radius says.
-    real sharpest = clamp(length(p), real(0.001) * torus.radius, torus.radius);
-    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), low, high,
-                      last_step() * sharpest, solver);
+    Search search = wall_search(torus, low, high);
+    if (exact) {
+        // Where the tube nearly meets the axis it bends far more sharply than its radius says.
+        real sharpest = clamp(length(p), real(0.001) * torus.radius, torus.radius);
+        search.tolerance = last_step() * sharpest;
+    }
+    return first_root(torus_quartic(torus.bend_radius, torus.radius, p, v), search, solver);
 }
 
 // The first crossing with what lies in [low, high] between two cuts, the end planes where they cut:

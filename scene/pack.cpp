@@ -195,7 +195,10 @@ private:
         int solver = options_.solver != 0  ? options_.solver
                      : material != nullptr ? material->solver
                                            : 0;
-        solver = solver != 0 ? solver : solver_default;
+        // Shapes without a choice share one program.
+        if (solver == 0 || !has_solvers(name(part.type))) {
+            solver = solver_default;
+        }
         const int rings = shape.hull_rings <= 4 ? shape.hull_rings : shape.hull_rings <= 7 ? 7 : 13;
         const auto key = std::tuple(part.type, solver, transparent, rings);
         const auto known = batch_index_.find(key);

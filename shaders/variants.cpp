@@ -75,6 +75,9 @@ std::vector<NamedText> all_shader_texts() {
         add("mesh" + suffix, {ShapeType::mesh, 0, 2, transparent, Pass::front});
         for (const ShapeRow& shape : shape_table()) {
             for (const SolverRow& solver : solver_table()) {
+                if (solver.id != solver_default && !has_solvers(shape.name)) {
+                    continue;
+                }
                 const std::string name =
                     std::string(shape.name) + "-" + std::to_string(solver.id) + suffix;
                 add(name + "-front", {shape.type, solver.id, 4, transparent, Pass::front});

@@ -2,4 +2,5 @@
 #include "solvers/quadratic.glsl"
 #include "solvers/quartic.glsl"
 #include "solvers/convexity_split.glsl"
+#include "solvers/newton.glsl"
 #include "solvers/first_root.glsl"

@@ -36,7 +36,9 @@ Root newton_monotone(Quartic f, real side, real start, real furthest, real toler
     return root;
 }
 
-Root first_root_convexity_split(Quartic f, real low, real high, real tolerance) {
+Root first_root_convexity_split(Quartic f, Search search) {
+    real low = search.low;
+    real high = search.high;
     Root root;
     root.found = false;
     root.t = low;
@@ -53,11 +55,11 @@ Root first_root_convexity_split(Quartic f, real low, real high, real tolerance) 
         bool convex = (region == 1) == (side < real(0));
         bool crosses = side * quartic_value(f, right) < real(0);
         if (crosses) {
-            return newton_monotone(f, side, convex ? left : right, huge, tolerance);
+            return newton_monotone(f, side, convex ? left : right, huge, search.tolerance);
         }
         if (convex && side * quartic_slope(f, left) < real(0) &&
             side * quartic_slope(f, right) > real(0)) {
-            root = newton_monotone(f, side, left, right, tolerance);
+            root = newton_monotone(f, side, left, right, search.tolerance);
             if (root.found) {
                 return root;
             }

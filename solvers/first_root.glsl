@@ -3,15 +3,26 @@
 
 // Numbers are stored in files: append, never renumber. solver_table.h holds their names.
 const int solver_convexity_split = 1;
+const int solver_newton = 2;
+const int solver_newton_fine = 3;
+const int solver_newton_forward = 4;
 
-// The first root of f in [low, high]; the position error is about the square of the tolerance,
-// relative to the curve.
-Root first_root(Quartic f, real low, real high, real tolerance, int solver) {
+// The first root of f in [low, high]; the position error of a Newton method is about the square of
+// the tolerance, relative to the curve.
+Root first_root(Quartic f, Search search, int solver) {
     Root root;
     root.found = false;
-    root.t = low;
+    root.t = search.low;
     if (solver == solver_convexity_split) {
-        root = first_root_convexity_split(f, low, high, tolerance);
+        root = first_root_convexity_split(f, search);
+    }
+    if (solver == solver_newton || solver == solver_newton_forward) {
+        root = first_root_newton(f, search, solver == solver_newton_forward);
+    }
+    if (solver == solver_newton_fine) {
+        // The paper's 0.00003 against its 0.001.
+        search.tolerance = real(0.03) * search.tolerance;
+        root = first_root_newton(f, search, false);
     }
     return root;
 }

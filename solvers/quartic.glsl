@@ -12,6 +12,14 @@ struct Root {
     real t;
 };
 
+// Where to look for a root, and how closely.
+struct Search {
+    real low;
+    real high;
+    real tolerance;  // > 0: a step this small ends a search
+    real scale;      // > 0: how large the curve is; a torus's bend_radius + radius
+};
+
 real quartic_value(Quartic f, real t) {
     return ((t * t + f.c) * t + f.d) * t + f.e;
 }

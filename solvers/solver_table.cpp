@@ -7,7 +7,25 @@ namespace {
 constexpr SolverRow rows[] = {
     {1, "convexity_split", "torus",
      "monotone Newton on the intervals between inflections (solvers/convexity_split.glsl)"},
+    {2, "newton", "torus",
+     "bounded Newton as printed, with its lost hits (de Toledo, Levy, Paul 2007, section 4.4)"},
+    {3, "newton_fine", "torus",
+     "the same, stopping at a step of 0.00003 radii (de Toledo, Levy, Paul 2007, section 4.4)"},
+    {4, "newton_forward", "torus",
+     "the same, never turning back before a root (solvers/newton.glsl)"},
 };
+
+// Whether a word is in a list with spaces between.
+bool lists(std::string_view list, std::string_view word) {
+    while (!list.empty()) {
+        const std::size_t end = list.find(' ');
+        if (list.substr(0, end) == word) {
+            return true;
+        }
+        list.remove_prefix(end == std::string_view::npos ? list.size() : end + 1);
+    }
+    return false;
+}
 
 }  // namespace
 
@@ -22,6 +40,15 @@ const SolverRow* find_solver(std::string_view name) {
         }
     }
     return nullptr;
+}
+
+bool has_solvers(std::string_view name) {
+    for (const SolverRow& row : rows) {
+        if (lists(row.solves, name)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace quartic

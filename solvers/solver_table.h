@@ -17,5 +17,7 @@ constexpr int solver_default = 1;
 
 std::span<const SolverRow> solver_table();
 const SolverRow* find_solver(std::string_view name);
+// Whether any solver works on what bears this name: the others are drawn alike whatever is chosen.
+bool has_solvers(std::string_view name);
 
 }  // namespace quartic

@@ -1,6 +1,5 @@
-// Depressed quartics whose roots are chosen first, for every solver of the table.
-#include "solvers/solver.h"
-#include "solvers/solver_table.h"
+// Depressed quartics whose roots are chosen first, for the solvers that must not miss one.
+#include "tests/solvers/quartics.h"
 
 #include <gtest/gtest.h>
 
@@ -12,52 +11,20 @@
 namespace quartic {
 namespace {
 
-using Long = long double;
-using Roots = std::array<Long, 4>;
-
-// Moves the roots so that their sum is zero: a quartic without cubic term.
-Roots centred(Roots roots) {
-    const Long mean = (roots[0] + roots[1] + roots[2] + roots[3]) / 4.0L;
-    for (Long& root : roots) {
-        root -= mean;
-    }
-    std::sort(roots.begin(), roots.end());
-    return roots;
-}
-
-template <class Real>
-typename Solver<Real>::Quartic from_roots(const Roots& r) {
-    Long c = 0.0L;
-    Long d = 0.0L;
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = i + 1; j < 4; ++j) {
-            c += r[i] * r[j];
-            for (std::size_t k = j + 1; k < 4; ++k) {
-                d -= r[i] * r[j] * r[k];
-            }
-        }
-    }
-    return {Real(c), Real(d), Real(r[0] * r[1] * r[2] * r[3])};
-}
-
-// (t^2 + p t + q) (t^2 - p t + s): two of its pairs may be complex.
-template <class Real>
-typename Solver<Real>::Quartic from_factors(Long p, Long q, Long s) {
-    return {Real(q + s - p * p), Real(p * (s - q)), Real(q * s)};
-}
+using test::centred;
+using test::first_root;
+using test::from_factors;
+using test::from_roots;
+using test::Long;
+using test::Roots;
 
 std::vector<int> solvers() {
-    std::vector<int> ids;
-    for (const SolverRow& row : solver_table()) {
-        ids.push_back(row.id);
-    }
-    return ids;
+    return test::ids_of({"convexity_split"});
 }
 
 // The first root after low must be found for every low that is not too near to one.
 template <class Real>
 void expect_first_roots(Roots chosen, Long error, Long clear) {
-    Solver<Real> solver;
     const Roots roots = centred(chosen);
     const auto quartic = from_roots<Real>(roots);
     const Long width = roots[3] - roots[0];
@@ -72,8 +39,7 @@ void expect_first_roots(Roots chosen, Long error, Long clear) {
             }
             const auto next =
                 std::find_if(roots.begin(), roots.end(), [&](Long root) { return root > low; });
-            const auto found =
-                solver.first_root(quartic, Real(low), Real(high), Real(step * width), id);
+            const auto found = first_root(quartic, Real(low), Real(high), Real(step * width), id);
             ASSERT_EQ(found.found, next != roots.end())
                 << "solver " << id << ", from " << double(low);
             if (found.found) {
@@ -105,33 +71,30 @@ TEST(Quartic, clustered_roots_are_told_apart) {
 }
 
 TEST(Quartic, complex_pairs_are_no_roots) {
-    Solver<double> solver;
     const auto quartic = from_factors<double>(0.5L, 2.0L, 3.0L);
     for (const int id : solvers()) {
         for (const double low : {-10.0, -1.0, -0.3, 0.0, 0.2, 1.0}) {
-            EXPECT_FALSE(solver.first_root(quartic, low, 10.0, 1e-4, id).found);
+            EXPECT_FALSE(first_root(quartic, low, 10.0, 1e-4, id).found);
         }
     }
 }
 
 TEST(Quartic, two_real_roots_beside_a_complex_pair) {
-    Solver<double> solver;
     // t^2 - 1.2 t + 0.2 = (t - 1) (t - 0.2), t^2 + 1.2 t + 5 has no real root.
     const auto quartic = from_factors<double>(-1.2L, 0.2L, 5.0L);
     for (const int id : solvers()) {
-        EXPECT_NEAR(solver.first_root(quartic, -10.0, 10.0, 1e-5, id).t, 0.2, 1e-7);
-        EXPECT_NEAR(solver.first_root(quartic, 0.5, 10.0, 1e-5, id).t, 1.0, 1e-7);
-        EXPECT_FALSE(solver.first_root(quartic, 1.5, 10.0, 1e-5, id).found);
+        EXPECT_NEAR(first_root(quartic, -10.0, 10.0, 1e-5, id).t, 0.2, 1e-7);
+        EXPECT_NEAR(first_root(quartic, 0.5, 10.0, 1e-5, id).t, 1.0, 1e-7);
+        EXPECT_FALSE(first_root(quartic, 1.5, 10.0, 1e-5, id).found);
     }
 }
 
 TEST(Quartic, a_double_root_is_found_once_or_is_a_tie) {
-    Solver<double> solver;
     const Roots roots = centred({-1.0L, 0.3L, 0.3L, 2.0L});
     const auto quartic = from_roots<double>(roots);
     for (const int id : solvers()) {
         const auto found =
-            solver.first_root(quartic, double(roots[0]) + 0.1, double(roots[3]) + 1.0, 1e-6, id);
+            first_root(quartic, double(roots[0]) + 0.1, double(roots[3]) + 1.0, 1e-6, id);
         ASSERT_TRUE(found.found);
         const bool at_double = std::abs(found.t - double(roots[1])) < 1e-5;
         const bool at_next = std::abs(found.t - double(roots[3])) < 1e-7;
@@ -140,7 +103,6 @@ TEST(Quartic, a_double_root_is_found_once_or_is_a_tie) {
 }
 
 TEST(Quartic, a_root_never_lies_outside_the_interval) {
-    Solver<float> solver;
     std::uint32_t state = 1;
     const auto next = [&] {
         state = state * 1664525u + 1013904223u;
@@ -151,7 +113,7 @@ TEST(Quartic, a_root_never_lies_outside_the_interval) {
         const float low = 2.0f * next();
         const float high = low + 2.0f + next();
         for (const int id : solvers()) {
-            const auto root = solver.first_root(quartic, low, high, 1e-3f, id);
+            const auto root = first_root(quartic, low, high, 1e-3f, id);
             if (root.found) {
                 ASSERT_GE(root.t, low - 1e-3f);
                 ASSERT_LE(root.t, high + 1e-3f);
@@ -161,11 +123,10 @@ TEST(Quartic, a_root_never_lies_outside_the_interval) {
 }
 
 TEST(Quartic, an_empty_interval_has_no_root) {
-    Solver<double> solver;
     const auto quartic = from_roots<double>(centred({-2.0L, -1.0L, 1.0L, 2.0L}));
     for (const int id : solvers()) {
-        EXPECT_FALSE(solver.first_root(quartic, 0.5, 0.5, 1e-4, id).found);
-        EXPECT_FALSE(solver.first_root(quartic, 3.0, -3.0, 1e-4, id).found);
+        EXPECT_FALSE(first_root(quartic, 0.5, 0.5, 1e-4, id).found);
+        EXPECT_FALSE(first_root(quartic, 3.0, -3.0, 1e-4, id).found);
     }
 }
 

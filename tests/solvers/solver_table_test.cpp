@@ -26,8 +26,18 @@ TEST(SolverTable, an_unknown_name_is_none) {
 }
 
 TEST(SolverTable, stored_numbers_never_change) {
-    ASSERT_NE(find_solver("convexity_split"), nullptr);
-    EXPECT_EQ(find_solver("convexity_split")->id, 1);
+    int id = 0;
+    for (const char* name : {"convexity_split", "newton", "newton_fine", "newton_forward"}) {
+        ASSERT_NE(find_solver(name), nullptr) << name;
+        EXPECT_EQ(find_solver(name)->id, ++id) << name;
+    }
+}
+
+TEST(SolverTable, only_what_a_row_names_has_solvers) {
+    EXPECT_TRUE(has_solvers("torus"));
+    EXPECT_FALSE(has_solvers("cylinder"));
+    EXPECT_FALSE(has_solvers("tor"));
+    EXPECT_FALSE(has_solvers(""));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// Depressed quartics whose roots are chosen before their coefficients.
+#pragma once
+
+#include "solvers/solver.h"
+#include "solvers/solver_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <vector>
+
+namespace quartic::test {
+
+using Long = long double;
+using Roots = std::array<Long, 4>;
+
+// Moves the roots so that their sum is zero: a quartic without cubic term.
+inline Roots centred(Roots roots) {
+    const Long mean = (roots[0] + roots[1] + roots[2] + roots[3]) / 4.0L;
+    for (Long& root : roots) {
+        root -= mean;
+    }
+    std::sort(roots.begin(), roots.end());
+    return roots;
+}
+
+template <class Real>
+typename Solver<Real>::Quartic from_roots(const Roots& r) {
+    Long c = 0.0L;
+    Long d = 0.0L;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = i + 1; j < 4; ++j) {
+            c += r[i] * r[j];
+            for (std::size_t k = j + 1; k < 4; ++k) {
+                d -= r[i] * r[j] * r[k];
+            }
+        }
+    }
+    return {Real(c), Real(d), Real(r[0] * r[1] * r[2] * r[3])};
+}
+
+// (t^2 + p t + q) (t^2 - p t + s): two of its pairs may be complex.
+template <class Real>
+typename Solver<Real>::Quartic from_factors(Long p, Long q, Long s) {
+    return {Real(q + s - p * p), Real(p * (s - q)), Real(q * s)};
+}
+
+// Searches as a torus does: half the interval is about its size.
+template <class Quartic, class Real>
+auto first_root(const Quartic& quartic, Real low, Real high, Real tolerance, int solver) {
+    const Real scale = std::max(Real(0.5) * (high - low), tolerance);
+    return Solver<Real>().first_root(quartic, {low, high, tolerance, scale}, solver);
+}
+
+inline std::vector<int> ids_of(std::initializer_list<const char*> names) {
+    std::vector<int> ids;
+    for (const char* name : names) {
+        const SolverRow* row = find_solver(name);
+        EXPECT_NE(row, nullptr) << name;
+        ids.push_back(row == nullptr ? 0 : row->id);
+    }
+    return ids;
+}
+
+inline std::vector<int> all_ids() {
+    std::vector<int> ids;
+    for (const SolverRow& row : solver_table()) {
+        ids.push_back(row.id);
+    }
+    return ids;
+}
+
+}  // namespace quartic::test
