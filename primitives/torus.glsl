@@ -209,7 +209,7 @@ Root first_thin_root(Torus torus, vec3 p, vec3 v, real low, real high, int solve
 // Solvers without a flaw of their own are spared the quartic's rounding; the others get the plain
 // quartic, so that a comparison shows what each of them does.
 Root first_wall_root(Torus torus, vec3 p, vec3 v, real low, real high, int solver) {
-    bool exact = solver == solver_convexity_split;
+    bool exact = solver == solver_convexity_split || solver == solver_bracketed;
     if (exact && torus.bend_radius > real(2) * torus.radius) {
         return first_thin_root(torus, p, v, low, high, solver);
     }

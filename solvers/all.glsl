@@ -3,4 +3,8 @@
 #include "solvers/quartic.glsl"
 #include "solvers/convexity_split.glsl"
 #include "solvers/newton.glsl"
+#include "solvers/sturm.glsl"
+#include "solvers/double_derivative_bisection.glsl"
+#include "solvers/analytic.glsl"
+#include "solvers/bracketed.glsl"
 #include "solvers/first_root.glsl"

@@ -27,3 +27,17 @@ real quartic_value(Quartic f, real t) {
 real quartic_slope(Quartic f, real t) {
     return (real(4) * t * t + real(2) * f.c) * t + f.d;
 }
+
+real quartic_bend(Quartic f, real t) {
+    return real(12) * t * t + real(2) * f.c;
+}
+
+// The same curve with t measured in this size.
+Quartic scaled_quartic(Quartic f, real size) {
+    real inverse = real(1) / size;
+    real inverse2 = inverse * inverse;
+    f.c = f.c * inverse2;
+    f.d = f.d * inverse2 * inverse;
+    f.e = f.e * inverse2 * inverse2;
+    return f;
+}

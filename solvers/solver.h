@@ -14,6 +14,7 @@ using glm::cos;
 using glm::max;
 using glm::min;
 using glm::mix;
+using glm::pow;
 using glm::sin;
 using glm::sqrt;
 using glm::tan;

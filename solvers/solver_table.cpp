@@ -13,6 +13,14 @@ constexpr SolverRow rows[] = {
      "the same, stopping at a step of 0.00003 radii (de Toledo, Levy, Paul 2007, section 4.4)"},
     {4, "newton_forward", "torus",
      "the same, never turning back before a root (solvers/newton.glsl)"},
+    {5, "sturm", "torus",
+     "Sturm's sequence, 18 halvings (de Toledo, Levy, Paul 2007, sections 3 and 4.1)"},
+    {6, "double_derivative_bisection", "torus",
+     "halving by the signs of f and f' (de Toledo, Levy, Paul 2007, section 4.2)"},
+    {9, "analytic", "torus",
+     "Ferrari's closed form (Abramowitz, Stegun 1964, sections 3.8.2 and 3.8.3)"},
+    {10, "bracketed", "torus",
+     "Newton in brackets between turning points (Yuksel 2022, sections 3 and 4)"},
 };
 
 // Whether a word is in a list with spaces between.

@@ -19,7 +19,7 @@ using test::Long;
 using test::Roots;
 
 std::vector<int> solvers() {
-    return test::ids_of({"convexity_split"});
+    return test::ids_of({"convexity_split", "bracketed"});
 }
 
 // The first root after low must be found for every low that is not too near to one.
@@ -99,6 +99,32 @@ TEST(Quartic, a_double_root_is_found_once_or_is_a_tie) {
         const bool at_double = std::abs(found.t - double(roots[1])) < 1e-5;
         const bool at_next = std::abs(found.t - double(roots[3])) < 1e-7;
         EXPECT_TRUE(at_double || at_next) << found.t;
+    }
+}
+
+TEST(Quartic, a_double_root_in_float_is_found_once_or_is_a_tie) {
+    for (const Long scale : {1e-3L, 1.0L, 1e3L}) {
+        const Roots roots = centred({-1.0L * scale, 0.3L * scale, 0.3L * scale, 2.0L * scale});
+        const auto quartic = from_roots<float>(roots);
+        for (const int id : solvers()) {
+            const auto found = first_root(quartic, float(roots[0] + 0.1L * scale),
+                                          float(roots[3] + scale), float(1e-3L * scale), id);
+            ASSERT_TRUE(found.found);
+            const Long from_double = std::abs(Long(found.t) - roots[1]);
+            const Long from_next = std::abs(Long(found.t) - roots[3]);
+            EXPECT_TRUE(from_double < 5e-3L * scale || from_next < 1e-5L * scale) << found.t;
+        }
+    }
+}
+
+TEST(Quartic, random_roots_are_found_from_anywhere) {
+    std::uint32_t state = 3;
+    const auto next = [&] {
+        state = state * 1664525u + 1013904223u;
+        return Long(state >> 8) / Long(1 << 23) - 1.0L;
+    };
+    for (int i = 0; i < 2000; ++i) {
+        expect_first_roots<double>({next(), next(), next(), next()}, 1e-6L, 1e-4L);
     }
 }
 

@@ -120,7 +120,7 @@ TEST(SixAngles, newton_as_printed_loses_about_one_hit_in_a_hundred) {
 }
 
 TEST(SixAngles, solvers_without_a_flaw_lose_nothing) {
-    for (const char* name : {"convexity_split", "newton_forward"}) {
+    for (const char* name : {"convexity_split", "newton_forward", "bracketed"}) {
         for (const Count& count : six_angles(name)) {
             EXPECT_GT(count.hits, 8000);
             EXPECT_EQ(count.lost, 0);
@@ -128,6 +128,44 @@ TEST(SixAngles, solvers_without_a_flaw_lose_nothing) {
             EXPECT_EQ(count.far, 0);
         }
     }
+}
+
+TEST(SixAngles, halvings_and_closed_forms_err_on_few_rays) {
+    for (const char* name : {"sturm", "double_derivative_bisection", "analytic"}) {
+        int hits = 0;
+        int wrong = 0;
+        for (const Count& count : six_angles(name)) {
+            hits += count.hits;
+            wrong += count.lost + count.invented + count.far;
+        }
+        EXPECT_LT(wrong, 0.0005 * hits) << name;
+    }
+}
+
+// Two methods that have nothing in common but their interval, on sectors, caps and thin tubes.
+TEST(Elbows, bracketed_hits_what_convexity_split_hits) {
+    std::uint32_t state = 7;
+    const auto next = [&] {
+        state = state * 1664525u + 1013904223u;
+        return double(state >> 8) / double(1 << 23) - 1.0;
+    };
+    const int bracketed = find_solver("bracketed")->id;
+    int hits = 0;
+    int differ = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const f64::Torus elbow{1.0, i % 4 == 0 ? 0.02 : 0.51 + 0.49 * next(), 3.2 + 3.0 * next(),
+                               0.0};
+        const glm::dvec3 direction(next(), next(), next());
+        const f64::Ray ray{1.2 * glm::dvec3(next(), next(), next()), direction,
+                           i % 2 == 0 ? 0.0 : -1e3};
+        const f64::Hit expected = f64().hit(elbow, ray, i % 4, solver_default);
+        const f64::Hit found = f64().hit(elbow, ray, i % 4, bracketed);
+        hits += expected.found;
+        differ += found.found != expected.found ||
+                  (found.found && glm::distance(found.point, expected.point) > 1e-6);
+    }
+    EXPECT_GT(hits, 8000);
+    EXPECT_EQ(differ, 0);
 }
 
 }  // namespace
