@@ -7,6 +7,10 @@ struct Cone {
     real unused_0;
 };
 
+real radius_slope(Cone cone) {
+    return (cone.top_radius - cone.bottom_radius) / cone.height;
+}
+
 Bounds bounds(Cone cone) {
     real radius = max(cone.bottom_radius, cone.top_radius);
     Bounds box;
@@ -24,13 +28,8 @@ int end_count(Cone cone) {
 }
 
 End end(Cone cone, int index) {
-    real side = index == 0 ? real(-1) : real(1);
-    End disc;
-    disc.centre = vec3(0, 0, side * real(0.5) * cone.height);
-    disc.normal = vec3(0, 0, side);
-    disc.radius = index == 0 ? cone.bottom_radius : cone.top_radius;
-    disc.flare = side * (cone.top_radius - cone.bottom_radius) / cone.height;
-    return disc;
+    return upright_end(index, cone.height, index == 0 ? cone.bottom_radius : cone.top_radius,
+                       radius_slope(cone));
 }
 
 vec3 point(Cone cone, int face, vec2 uv) {
@@ -48,7 +47,7 @@ int hull_rings(Cone cone) {
 
 vec3 hull_point(Cone cone, int ring, int corner, real margin) {
     // Where the margin lengthens the frustum, the cone goes on widening.
-    real steepness = abs(cone.top_radius - cone.bottom_radius) / cone.height;
+    real steepness = abs(radius_slope(cone));
     real radius =
         (ring == 0 ? cone.bottom_radius : cone.top_radius) + margin * (real(1) + steepness);
     real z = real(0.5) * cone.height + margin;
@@ -56,11 +55,11 @@ vec3 hull_point(Cone cone, int ring, int corner, real margin) {
 }
 
 Hit hit(Cone cone, Ray ray, int open_ends, int solver) {
-    real slope = (cone.top_radius - cone.bottom_radius) / cone.height;
+    real slope = radius_slope(cone);
     real overlap = joint_overlap(max(cone.bottom_radius, cone.top_radius), slope);
     real half_height = real(0.5) * cone.height;
-    real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
-    real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));
+    real low = wall_reach(open_ends, 0, half_height, overlap);
+    real high = wall_reach(open_ends, 1, half_height, overlap);
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 

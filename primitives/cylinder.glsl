@@ -22,13 +22,7 @@ int end_count(Cylinder cylinder) {
 }
 
 End end(Cylinder cylinder, int index) {
-    real side = index == 0 ? real(-1) : real(1);
-    End disc;
-    disc.centre = vec3(0, 0, side * real(0.5) * cylinder.height);
-    disc.normal = vec3(0, 0, side);
-    disc.radius = cylinder.radius;
-    disc.flare = real(0);
-    return disc;
+    return upright_end(index, cylinder.height, cylinder.radius, real(0));
 }
 
 vec3 point(Cylinder cylinder, int face, vec2 uv) {
@@ -51,8 +45,8 @@ vec3 hull_point(Cylinder cylinder, int ring, int corner, real margin) {
 Hit hit(Cylinder cylinder, Ray ray, int open_ends, int solver) {
     real overlap = joint_overlap(cylinder.radius, real(0));
     real half_height = real(0.5) * cylinder.height;
-    real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
-    real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));
+    real low = wall_reach(open_ends, 0, half_height, overlap);
+    real high = wall_reach(open_ends, 1, half_height, overlap);
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 

@@ -49,6 +49,11 @@ bool is_open(int open_ends, int end_index) {
     return (open_ends & (1 << end_index)) != 0;
 }
 
+// Where a wall ends, from the middle of its height: at the end's disc, or, open, beyond it.
+real wall_reach(int open_ends, int end_index, real half_height, real overlap) {
+    return half_height + (is_open(open_ends, end_index) ? overlap : real(0));
+}
+
 Hit miss() {
     Hit hit;
     hit.found = false;
@@ -101,6 +106,18 @@ End no_end() {
     disc.normal = vec3(0, 0, 1);
     disc.radius = real(0);
     disc.flare = real(0);
+    return disc;
+}
+
+// The lower (0) or upper (1) disc of a solid of this height around the local z axis, whose radius
+// grows upwards by this slope.
+End upright_end(int index, real height, real radius, real slope) {
+    real side = index == 0 ? real(-1) : real(1);
+    End disc;
+    disc.centre = vec3(0, 0, side * real(0.5) * height);
+    disc.normal = vec3(0, 0, side);
+    disc.radius = radius;
+    disc.flare = side * slope;
     return disc;
 }
 

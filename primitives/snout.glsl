@@ -109,14 +109,14 @@ int end_count(Snout snout) {
 
 // A sheared end is no disc: its radius is given as 0, which nothing joins.
 End end(Snout snout, int index) {
-    real side = index == 0 ? real(-1) : real(1);
     bool level = index == 0 ? snout.bottom_slope_x == real(0) && snout.bottom_slope_y == real(0)
                             : snout.top_slope_x == real(0) && snout.top_slope_y == real(0);
-    End disc;
-    disc.centre = vec3(side * real(0.5) * snout.offset, 0, side * real(0.5) * snout.height);
-    disc.normal = vec3(0, 0, side);
-    disc.radius = level ? (index == 0 ? snout.bottom_radius : snout.top_radius) : real(0);
-    disc.flare = snout.offset == real(0) ? side * radius_slope(snout) : huge;
+    real radius = index == 0 ? snout.bottom_radius : snout.top_radius;
+    End disc = upright_end(index, snout.height, level ? radius : real(0), radius_slope(snout));
+    disc.centre.x = (index == 0 ? real(-0.5) : real(0.5)) * snout.offset;
+    if (snout.offset != real(0)) {
+        disc.flare = huge;
+    }
     return disc;
 }
 
@@ -150,8 +150,8 @@ Hit hit(Snout snout, Ray ray, int open_ends, int solver) {
     real overlap =
         joint_overlap(max(snout.bottom_radius, snout.top_radius), abs(slope) + abs(lean));
     real half_height = real(0.5) * snout.height;
-    real low = half_height + (is_open(open_ends, 0) ? overlap : real(0));
-    real high = half_height + (is_open(open_ends, 1) ? overlap : real(0));
+    real low = wall_reach(open_ends, 0, half_height, overlap);
+    real high = wall_reach(open_ends, 1, half_height, overlap);
     vec3 o = ray.origin;
     vec3 d = ray.direction;
 
