@@ -8,11 +8,13 @@ const int solver_newton_fine = 3;
 const int solver_newton_forward = 4;
 const int solver_sturm = 5;
 const int solver_double_derivative_bisection = 6;
+const int solver_sphere_tracing = 7;          // of a shape's distance: see torus.glsl
+const int solver_sphere_tracing_two_ray = 8;  // the same
 const int solver_analytic = 9;
 const int solver_bracketed = 10;
 
 // The first root of f in [low, high]; the position error of a Newton method is about the square of
-// the tolerance, relative to the curve.
+// the tolerance, relative to the curve. Solvers that need more than a quartic find none here.
 Root first_root(Quartic f, Search search, int solver) {
     Root root;
     root.found = false;

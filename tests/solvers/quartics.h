@@ -64,10 +64,13 @@ inline std::vector<int> ids_of(std::initializer_list<const char*> names) {
     return ids;
 }
 
-inline std::vector<int> all_ids() {
+// All but those that march by a shape's distance.
+inline std::vector<int> all_of_quartics() {
     std::vector<int> ids;
     for (const SolverRow& row : solver_table()) {
-        ids.push_back(row.id);
+        if (!row.name.starts_with("sphere_tracing")) {
+            ids.push_back(row.id);
+        }
     }
     return ids;
 }

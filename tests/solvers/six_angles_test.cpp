@@ -142,6 +142,25 @@ TEST(SixAngles, halvings_and_closed_forms_err_on_few_rays) {
     }
 }
 
+TEST(SixAngles, sphere_tracing_fattens_silhouettes_and_loses_next_to_nothing) {
+    for (const char* name : {"sphere_tracing", "sphere_tracing_two_ray"}) {
+        int hits = 0;
+        int lost = 0;
+        int invented = 0;
+        int far = 0;
+        for (const Count& count : six_angles(name)) {
+            hits += count.hits;
+            lost += count.lost;
+            invented += count.invented;
+            far += count.far;
+        }
+        EXPECT_LT(lost, 0.0005 * hits) << name;
+        EXPECT_LT(far, 0.0005 * hits) << name;
+        EXPECT_GT(invented, 0) << name;
+        EXPECT_LT(invented, 0.003 * hits) << name;
+    }
+}
+
 // Two methods that have nothing in common but their interval, on sectors, caps and thin tubes.
 TEST(Elbows, bracketed_hits_what_convexity_split_hits) {
     std::uint32_t state = 7;

@@ -28,8 +28,10 @@ TEST(SolverTable, an_unknown_name_is_none) {
 
 TEST(SolverTable, stored_numbers_never_change) {
     const std::pair<const char*, int> stored[] = {
-        {"convexity_split", 1}, {"newton", 2},    {"newton_fine", 3},
-        {"newton_forward", 4},  {"sturm", 5},     {"double_derivative_bisection", 6},
+        {"convexity_split", 1}, {"newton", 2},
+        {"newton_fine", 3},     {"newton_forward", 4},
+        {"sturm", 5},           {"double_derivative_bisection", 6},
+        {"sphere_tracing", 7},  {"sphere_tracing_two_ray", 8},
         {"analytic", 9},        {"bracketed", 10}};
     for (const auto& [name, id] : stored) {
         ASSERT_NE(find_solver(name), nullptr) << name;
