@@ -1,5 +1,5 @@
 // First root of a depressed quartic by intervals in which it is monotone, after Yuksel 2022,
-// "High-performance polynomial root finding for graphics", sections 3 and 4.
+// "High-performance polynomial root finding for graphics", Proc. ACM CGIT 5(3).
 //
 // The roots of the derivative cut the search into monotone pieces, and a piece whose ends differ in
 // sign holds one root: Newton from the middle, kept in a bracket that halves where Newton would

@@ -6,7 +6,7 @@
 // hump between two dips: a half may hold three roots, and then a later one than the first may be
 // found.
 
-// From the width of a torus to a double's tolerance of 1e-7 of a thousandth of it.
+// From a torus's width to 1e-7 of a tube a thousandth as thick takes 36.
 const int halvings_max = 48;
 
 Root derivative_bisection(Quartic f, real low, real high, real tolerance) {

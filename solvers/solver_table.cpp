@@ -24,7 +24,7 @@ constexpr SolverRow rows[] = {
     {9, "analytic", "torus",
      "Ferrari's closed form (Abramowitz, Stegun 1964, sections 3.8.2 and 3.8.3)"},
     {10, "bracketed", "torus",
-     "Newton in brackets between turning points (Yuksel 2022, sections 3 and 4)"},
+     "Newton in brackets between turning points (Yuksel 2022, Proc. ACM CGIT 5(3))"},
 };
 
 // Whether a word is in a list with spaces between.

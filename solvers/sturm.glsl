@@ -11,7 +11,7 @@ const int sturm_halvings = 18;
 // Remainders times squares, so that nothing is divided.
 struct Sturm {
     Quartic f;
-    real a;  // a t^2 + b t + e: the first remainder
+    real a;  // a t^2 + b t + c: the first remainder
     real b;
     real c;
     real slope;  // slope t + offset: the second
