@@ -24,4 +24,7 @@ SHAPE(10, Disk, disk)
 #include "primitives/snout.glsl"
 #include "primitives/sphere.glsl"
 #include "primitives/torus.glsl"
+#include "primitives/torus_march.glsl"
+#include "primitives/torus_roots.glsl"
+#include "primitives/torus_solid.glsl"
 #endif

@@ -22,8 +22,6 @@ constexpr Rule table[] = {
 
 constexpr Exception list[] = {
     {"banned_name", "cli/info.cpp", "the verb is called info, and a verb's file has its name"},
-    {"long_file", "primitives/torus.glsl",
-     "the elbow's wall is a quartic: setting it up so that floats suffice takes its room"},
 };
 
 }  // namespace
