@@ -2,11 +2,11 @@
 #include "cli/arguments.h"
 #include "cli/model.h"
 #include "cli/signals.h"
+#include "cli/solvers.h"
 #include "cli/verbs.h"
 #include "render/context.h"
 #include "render/renderer.h"
 #include "scene/compare.h"
-#include "scene/joints.h"
 #include "solvers/solver_table.h"
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ struct CheckArguments {
     std::vector<std::string> files;
     int views = 12;
     std::string size = "640x480";
-    std::string solver;
+    SolverArguments solvers;
     std::uint32_t seed = 1;
     bool software = false;
     Reporting reporting;
@@ -111,7 +111,7 @@ Result<Renderer> make_renderer(const Scene& scene, const CheckArguments& argumen
     }
     PackOptions packing;
     packing.transparent_as_opaque = true;
-    packing.solver = solver_number(arguments.solver);
+    packing.solver = solver_number(arguments.solvers.everywhere);
     const Status loaded = renderer.value().load(pack(scene, packing));
     if (!loaded) {
         return loaded.error();
@@ -250,7 +250,7 @@ ExitCode check_model(const std::string& path, const CheckArguments& arguments,
     if (!model) {
         return report_error(model.error());
     }
-    find_joints(model.value().scene);
+    prepare(arguments.solvers, model.value().scene);
     const Result<Checked> checked = compare_views(model.value().scene, arguments);
     if (!checked) {
         return report_error(checked.error());
@@ -296,7 +296,7 @@ void add_check(CLI::App& program, Run& run) {
     verb.add_option("--views", arguments->views, "how many, from all sides")
         ->check(CLI::Range(1, 10000));
     verb.add_option("--size", arguments->size, "WxH in pixels")->check(check_size);
-    verb.add_option("--solver", arguments->solver, "see --list-solvers")->check(check_solver);
+    add_solvers(verb, arguments->solvers);
     verb.add_option("--seed", arguments->seed, "turns the views");
     verb.add_flag("--software", arguments->software, "Mesa's software OpenGL");
     add_reporting(verb, arguments->reporting);

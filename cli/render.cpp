@@ -6,11 +6,11 @@
 #include "cli/png.h"
 #include "cli/reference_picture.h"
 #include "cli/signals.h"
+#include "cli/solvers.h"
 #include "cli/tessellated.h"
 #include "cli/verbs.h"
 #include "files/output.h"
 #include "render/context.h"
-#include "scene/joints.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +31,7 @@ struct RenderArguments {
     std::string camera = "iso";
     std::string projection = "perspective";
     double fov_deg = 35.0;
-    std::string solver;
+    SolverArguments solvers;
     std::string device = "gpu";
     std::string mode = "raycast";
     double tolerance_mm = 1.0;
@@ -149,7 +149,7 @@ Result<Drawn> draw_on_gpu(const Scene& scene, const Camera& camera, PixelSize si
     }
     Renderer& renderer = created.value();
     PackOptions packing;
-    packing.solver = solver_number(arguments.solver);
+    packing.solver = solver_number(arguments.solvers.everywhere);
     const Status loaded = renderer.load(pack(scene, packing));
     if (!loaded) {
         return loaded.error();
@@ -174,7 +174,7 @@ Result<Drawn> draw_on_gpu(const Scene& scene, const Camera& camera, PixelSize si
 Drawn draw_on_cpu(const Scene& scene, const Camera& camera, PixelSize size,
                   const RenderArguments& arguments) {
     const Reference reference(scene, render_options(arguments).layers,
-                              solver_number(arguments.solver));
+                              solver_number(arguments.solvers.everywhere));
     const View view = make_view(camera, size);
     const auto draw = [&](int sample) {
         return draw_reference(scene, reference, view, sample_offset_px(sample));
@@ -291,7 +291,7 @@ ExitCode render(const RenderArguments& arguments) {
         return report_error(loaded.error());
     }
     Model& model = loaded.value();
-    find_joints(model.scene);
+    prepare(arguments.solvers, model.scene);
     if (arguments.mode == "tessellated") {
         model.scene = tessellated(model.scene, arguments.tolerance_mm / 1000.0);
     }
@@ -355,7 +355,7 @@ void add_looks(CLI::App& verb, RenderArguments& arguments) {
 }
 
 void add_methods(CLI::App& verb, RenderArguments& arguments) {
-    verb.add_option("--solver", arguments.solver, "see --list-solvers")->check(check_solver);
+    add_solvers(verb, arguments.solvers);
     verb.add_option("--device", arguments.device, "gpu, or reference: the CPU in double precision")
         ->check(CLI::IsMember({"gpu", "reference"}));
     verb.add_flag("--software", arguments.software, "Mesa's software OpenGL");

@@ -98,6 +98,28 @@ TEST(Files, several_files_become_one_model) {
                     "missing.rvm");
 }
 
+TEST(Files, solvers_of_materials_are_checked_before_the_model_is_read) {
+    for (const char* rule : {"newton", "(=newton", ".*=nobody"}) {
+        const Answer run =
+            run_quartic({"render", "missing.rvm", "-o", "a.png", "--material-solver", rule});
+        EXPECT_EQ(run.code, 2) << rule << ": " << run.err;
+    }
+}
+
+TEST(Files, material_solver_changes_what_is_drawn) {
+    const TemporaryFolder folder;
+    const std::string tori = folder.path("tori.rvm");
+    ASSERT_EQ(run_quartic({"generate", "tori", "--count", "30", "-o", tori, "--quiet"}).code, 0);
+    const auto missed = [&](const std::string& rule) {
+        const Answer run = run_quartic(
+            {"check", tori, "--views", "6", "--size", "200", "--json", "--material-solver", rule});
+        return nlohmann::json::parse(run.out).at("missed").at("hard").get<int>();
+    };
+    EXPECT_GT(missed(".*=newton"), 0);
+    EXPECT_EQ(missed(".*=convexity_split"), 0);
+    EXPECT_EQ(missed("no such material=newton"), 0);
+}
+
 TEST(Files, no_usable_opengl_has_its_own_exit_code) {
     const TemporaryFolder folder;
     const std::string model = folder.path("tori.rvm");

@@ -1,6 +1,7 @@
 // What a frame promises: culling changes nothing, layers hide, picking finds, translucent parts
 // show what is behind.
 #include "scene/add_shape.h"
+#include "solvers/solver_table.h"
 #include "tests/gpu/gpu_fixture.h"
 
 #include <cmath>
@@ -95,6 +96,38 @@ TEST_F(PictureTest, translucent_parts_tint_what_is_behind_and_have_no_id) {
     const std::size_t middle = 120 * 320 + 160;
     EXPECT_EQ(picture.ids[middle], 0u);
     EXPECT_GT(picture.colours[4 * middle], picture.colours[4 * middle + 1] + 30);
+}
+
+TEST_F(PictureTest, two_solvers_share_one_picture) {
+    const SolverRow* const newton = find_solver("newton");
+    const SolverRow* const sturm = find_solver("sturm");
+    ASSERT_TRUE(newton != nullptr && sturm != nullptr);
+    scene_.materials = {{"one", {0.5f, 0.5f, 0.5f, 1.0f}, newton->id},
+                        {"two", {0.5f, 0.5f, 0.5f, 1.0f}, sturm->id}};
+    for (int i = 0; i < 16; ++i) {
+        Part part = at(1.5 * (i % 4) - 2.25, 0.0, 1.5 * (i / 4) - 2.25);
+        part.material = static_cast<std::uint32_t>(i % 2);
+        part.placement.rotation = glm::dquat(std::cos(0.6), std::sin(0.6), 0.0, 0.0);
+        add_shape(scene_, f64::Torus{0.5, 0.15, 1.5707963267948966, 0.0}, part);
+    }
+    PackOptions packing;
+    const Packed packed = pack(scene_, packing);
+    ASSERT_EQ(packed.batches.size(), 2u);
+    EXPECT_NE(packed.batches[0].solver, packed.batches[1].solver);
+    ASSERT_TRUE(renderer().load(packed));
+    const GBuffer mixed = draw(Camera(), picture_size);
+    packing.solver = solver_default;
+    ASSERT_TRUE(renderer().load(pack(scene_, packing)));
+    const GBuffer plain = draw(Camera(), picture_size);
+    int hits = 0;
+    int different = 0;
+    for (std::size_t i = 0; i < plain.ids.size(); ++i) {
+        hits += plain.ids[i] != no_index;
+        different += plain.ids[i] != mixed.ids[i];
+    }
+    EXPECT_GT(hits, 3000);
+    EXPECT_LT(different, hits / 50);  // Newton as printed loses about one in a hundred
+    expect_no_gl_error();
 }
 
 TEST_F(PictureTest, small_parts_are_culled_by_their_size_only_when_asked) {
