@@ -81,12 +81,13 @@ Camera close_camera(const Camera& whole, const Scene& scene, std::uint32_t part)
 
 // All of the model, by turns in perspective and orthographic; every third view is of one part from
 // close by, so that shapes are big and cut by the picture's edge.
-Camera view_camera(int i, const CheckArguments& arguments, const Scene& scene, PixelSize size) {
+Camera view_camera(int i, const CheckArguments& arguments, const Scene& scene, const Box3& box,
+                   PixelSize size) {
     const glm::dvec3 direction = view_direction(i, arguments.views, arguments.seed);
     const glm::dvec3 up = std::abs(direction.z) > 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     Camera like;
     like.projection = i % 2 == 0 ? Projection::perspective : Projection::orthographic;
-    const Camera whole = fit_camera(world_bounds(scene, all_layers), direction, up, like, size);
+    const Camera whole = fit_camera(box, direction, up, like, size);
     if (i % 3 != 2 || scene.parts.empty()) {
         return whole;
     }
@@ -132,11 +133,12 @@ Result<Checked> compare_views(const Scene& scene, const CheckArguments& argument
     Renderer& renderer = created.value();
     // Always with the default solver: what another one misses is missed.
     const Reference reference(scene, all_layers, solver_default);
+    const Box3 box = world_bounds(scene, all_layers);
     Checked checked;
     checked.renderer = renderer_name().renderer;
     checked.size = *find_size(arguments.size);
     for (int i = 0; i < arguments.views && !is_interrupted(); ++i) {
-        const Camera camera = view_camera(i, arguments, scene, checked.size);
+        const Camera camera = view_camera(i, arguments, scene, box, checked.size);
         const Status drawn = renderer.draw(camera, checked.size, check_options());
         if (!drawn) {
             return drawn.error();

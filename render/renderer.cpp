@@ -6,6 +6,8 @@
 #include "render/program.h"
 #include "scene/gpu_layout.h"
 
+#include <glm/packing.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -14,8 +16,7 @@ namespace {
 
 constexpr std::size_t gl_errors_max = 16;
 
-gpu::CameraBlock camera_block(const View& view, const RenderOptions& options,
-                              std::uint32_t part_count) {
+gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
     gpu::CameraBlock block{};
     block.eye = glm::dvec4(view.eye, 1.0);
     block.right = glm::dvec4(view.right, 0.0);
@@ -35,26 +36,15 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options,
         block.layer_mask |= options.layers[i] ? 1u << i : 0u;
     }
     block.cull_frustum = options.cull_frustum ? 1u : 0u;
-    block.part_count = part_count;
     block.selected = options.selected;
     block.edges = options.edges ? 1u : 0u;
     block.occlusion = options.occlusion ? 1u : 0u;
     return block;
 }
 
-// As packed_normal in shaders/normals.glsl.
+// A target's normal; its two halves are what GLSL calls snorm.
 glm::vec3 normal_from(std::uint32_t bits) {
-    const auto axis = [](std::uint32_t half) {
-        return std::max(static_cast<float>(static_cast<std::int16_t>(half)) / 32767.0f, -1.0f);
-    };
-    const glm::vec2 folded(axis(bits & 0xffff), axis(bits >> 16));
-    const float z = 1.0f - std::abs(folded.x) - std::abs(folded.y);
-    if (z >= 0.0f) {
-        return glm::normalize(glm::vec3(folded, z));
-    }
-    return glm::normalize(glm::vec3((1.0f - std::abs(folded.y)) * (folded.x >= 0.0f ? 1.0f : -1.0f),
-                                    (1.0f - std::abs(folded.x)) * (folded.y >= 0.0f ? 1.0f : -1.0f),
-                                    z));
+    return gpu::Picture<float>().normal_from_octahedron(glm::unpackSnorm2x16(bits));
 }
 
 }  // namespace
@@ -163,7 +153,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
         const double slack = 1e-3 * glm::length(state_->box.high - state_->box.low);
         state_->view.far_m = std::max(farthest, camera.near_m) + slack;
     }
-    const gpu::CameraBlock block = camera_block(state_->view, options, state_->scene.part_count);
+    const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
                options.transparent_background);

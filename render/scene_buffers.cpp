@@ -95,7 +95,6 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
     scene.visible = make_empty_buffer(std::size_t{first} * 4);
     scene.near_parts = make_empty_buffer(std::size_t{first} * 4);
     scene.bytes += std::uint64_t{first} * 8;
-    scene.part_count = first;
 }
 
 void upload_meshes(const Packed& packed, SceneBuffers& scene) {

@@ -49,7 +49,6 @@ struct SceneBuffers {
     GlVertexArray proxy_array;
     std::vector<DrawBatch> draws;
     std::vector<BoundsPage> pages;
-    std::uint32_t part_count = 0;
     std::uint32_t command_count = 0;
     std::uint32_t chunk_count = 0;
     std::uint64_t bytes = 0;

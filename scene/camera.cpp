@@ -1,6 +1,8 @@
 // Camera mathematics in double.
 #include "scene/camera.h"
 
+#include "scene/gpu_layout.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -97,11 +99,6 @@ glm::dvec2 centring_shift(std::span<const Box3> boxes, const glm::dvec3& middle,
     return shift;
 }
 
-// The orthographic depth of shaders/camera.glsl, in picture heights behind the focus.
-double focused(double heights) {
-    return heights < 0.0 ? 1.0 - heights : 1.0 / (1.0 + heights);
-}
-
 }  // namespace
 
 View make_view(const Camera& camera, PixelSize size) {
@@ -150,8 +147,9 @@ double buffer_depth(const View& view, double depth_m) {
         return view.near_m / depth_m;
     }
     const double height_m = view.step * view.size.height;
-    return focused((depth_m - view.focus_m) / height_m) /
-           focused((view.near_m - view.focus_m) / height_m);
+    gpu::Picture<double> text;
+    return text.focused((depth_m - view.focus_m) / height_m) /
+           text.focused((view.near_m - view.focus_m) / height_m);
 }
 
 double depth_from_buffer(const View& view, double buffer_depth) {
@@ -159,8 +157,9 @@ double depth_from_buffer(const View& view, double buffer_depth) {
         return view.near_m / buffer_depth;
     }
     const double height_m = view.step * view.size.height;
-    const double g = buffer_depth * focused((view.near_m - view.focus_m) / height_m);
-    return view.focus_m + height_m * (g > 1.0 ? 1.0 - g : 1.0 / g - 1.0);
+    gpu::Picture<double> text;
+    const double at_near = text.focused((view.near_m - view.focus_m) / height_m);
+    return view.focus_m + height_m * text.unfocused(buffer_depth * at_near);
 }
 
 std::array<double, 2> depth_range(const Box3& box, const glm::dvec3& eye,

@@ -1,4 +1,6 @@
 // The camera block, and the maps between view depth, the depth buffer and clip space.
+#include "shaders/picture.glsl"
+
 layout(std140, binding = binding_camera) uniform CameraUniform {
     CameraBlock camera;
 };
@@ -14,10 +16,6 @@ float near_from_focus() {
     return float(camera.near_depth - camera.focus_depth);
 }
 
-float focused(float heights) {
-    return heights < 0.0 ? 1.0 - heights : 1.0 / (1.0 + heights);
-}
-
 float buffer_depth(float depth) {
     float height = picture_height();
     return camera.orthographic != 0 ? focused(depth / height) / focused(near_from_focus() / height)
@@ -26,9 +24,9 @@ float buffer_depth(float depth) {
 
 float depth_from_buffer(float value) {
     float height = picture_height();
-    float g = value * focused(near_from_focus() / height);
-    return camera.orthographic != 0 ? height * (g > 1.0 ? 1.0 - g : 1.0 / g - 1.0)
-                                    : float(camera.near_depth) / value;
+    return camera.orthographic != 0
+               ? height * unfocused(value * focused(near_from_focus() / height))
+               : float(camera.near_depth) / value;
 }
 
 // Clip coordinates of a world point given relative to the eye. In orthographic views their depth

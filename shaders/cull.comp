@@ -4,6 +4,7 @@
 // surfaces of equal depth look the same in every run: this one decides and counts,
 // cull_offsets.comp adds up the chunks' counts, cull_lists.comp writes.
 #include "shaders/layout.glsl"
+#include "solvers/prelude.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/cull_buffers.glsl"
 

@@ -37,7 +37,7 @@ struct CameraBlock {
     float size_min_px;  // smaller parts are culled; 0: none
     uint layer_mask;    // bit i: layer i is visible
     uint cull_frustum;
-    uint part_count;
+    uint unused_0;
     uint selected;  // part drawn highlighted, or all ones
     uint edges;
     uint occlusion;

@@ -1,5 +1,6 @@
 // One pixel of a mesh part. Defines: [TRANSPARENT].
 #include "shaders/layout.glsl"
+#include "solvers/prelude.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/surface_out.glsl"
 

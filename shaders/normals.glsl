@@ -10,8 +10,5 @@ uint packed_normal(vec3 n) {
 }
 
 vec3 normal_from(uint bits) {
-    vec2 folded = unpackSnorm2x16(bits);
-    float z = 1.0 - abs(folded.x) - abs(folded.y);
-    vec2 xy = z >= 0.0 ? folded : (1.0 - abs(folded.yx)) * signs(folded);
-    return normalize(vec3(xy, z));
+    return normal_from_octahedron(unpackSnorm2x16(bits));
 }

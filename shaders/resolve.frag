@@ -1,6 +1,7 @@
 // From ids, normals and depths to colours: light, ambient occlusion, edges, translucent layers,
 // background.
 #include "shaders/layout.glsl"
+#include "solvers/prelude.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/normals.glsl"
 #include "shaders/shading.glsl"
