@@ -11,14 +11,6 @@ template <class Shape>
 class OpenEnds : public ::testing::Test {};
 TYPED_TEST_SUITE(OpenEnds, test::AllShapes);
 
-f64::Ray ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
-    f64::Ray ray;
-    ray.origin = origin;
-    ray.direction = direction;
-    ray.first = 0.0;
-    return ray;
-}
-
 // Calls the visitor for every end that has a disc.
 template <class Shape, class Visitor>
 void visit_ends(Visitor visitor) {
@@ -54,7 +46,7 @@ TYPED_TEST(OpenEnds, a_cap_is_hit_unless_it_is_hidden) {
     visit_ends<TypeParam>([&](const TypeParam& shape, int i, const f64::End& end) {
         const glm::dvec3 place = end.centre + 0.4 * end.radius * kernel.across(end.normal);
         const double away = 1e-3 * end.radius;
-        const f64::Ray ray = ray_from(place + away * end.normal, -end.normal);
+        const f64::Ray ray = test::ray_from(place + away * end.normal, -end.normal);
         const f64::Hit closed = kernel.hit(shape, ray, 0, 1);
         ASSERT_TRUE(closed.found);
         EXPECT_NEAR(closed.t, away, 1e-9 * test::size_of(shape));
@@ -73,7 +65,7 @@ TYPED_TEST(OpenEnds, through_an_open_end_the_inside_of_the_wall_is_seen) {
         const glm::dvec3 origin =
             end.centre + 0.5 * end.radius * end.normal - 0.3 * end.radius * aside;
         const glm::dvec3 target = end.centre + (0.1 * end.radius) * aside;
-        const f64::Ray ray = ray_from(origin, target - origin);
+        const f64::Ray ray = test::ray_from(origin, target - origin);
         const f64::Hit closed = kernel.hit(shape, ray, 0, 1);
         const f64::Hit hit = kernel.hit(shape, ray, 1 << i, 1);
         const bool cap_is_seen = closed.found && std::abs(closed.t - 1.0) < 1e-9;
@@ -93,7 +85,7 @@ TYPED_TEST(OpenEnds, an_open_wall_goes_on_by_the_overlap) {
         const glm::dvec3 aside = kernel.across(end.normal);
         const double overlap = kernel.joint_overlap(end.radius, end.flare);
         const glm::dvec3 beyond = end.centre + 0.5 * overlap * end.normal;
-        const f64::Ray ray = ray_from(beyond + (end.radius + 2.0 * overlap) * aside, -aside);
+        const f64::Ray ray = test::ray_from(beyond + (end.radius + 2.0 * overlap) * aside, -aside);
         const double reach = 4.0 * overlap;
         const f64::Hit closed = kernel.hit(shape, ray, 0, 1);
         EXPECT_TRUE(!closed.found || closed.t > reach);

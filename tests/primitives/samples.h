@@ -35,6 +35,14 @@ using AllShapes = TypesAfter<void
 #undef SHAPE
                              >::Types;
 
+inline f64::Ray ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
+    f64::Ray ray;
+    ray.origin = origin;
+    ray.direction = direction;
+    ray.first = 0.0;
+    return ray;
+}
+
 // The diagonal of the bounds: the length that tolerances refer to.
 template <class Shape>
 double size_of(const Shape& shape) {

@@ -13,14 +13,6 @@ template <class Shape>
 class Surface : public ::testing::Test {};
 TYPED_TEST_SUITE(Surface, test::AllShapes);
 
-f64::Ray ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
-    f64::Ray ray;
-    ray.origin = origin;
-    ray.direction = direction;
-    ray.first = 0.0;
-    return ray;
-}
-
 TYPED_TEST(Surface, samples_have_no_fault) {
     for (const TypeParam& shape : test::samples<TypeParam>()) {
         EXPECT_EQ(find_fault(shape), "");
@@ -83,7 +75,7 @@ TYPED_TEST(Surface, a_ray_from_outside_hits_the_point_that_it_is_aimed_at) {
         visit_points(shape, [&](const glm::dvec3& p, const glm::dvec3& normal) {
             const double away = 1e-6 * size;
             const f64::Hit hit =
-                kernel.hit(shape, ray_from(p + away * normal, -3.0 * normal), 0, 1);
+                kernel.hit(shape, test::ray_from(p + away * normal, -3.0 * normal), 0, 1);
             ASSERT_TRUE(hit.found);
             EXPECT_LT(glm::length(hit.point - p), 1e-9 * size);
             EXPECT_NEAR(hit.t, away / 3.0, 1e-9 * size);
@@ -106,7 +98,7 @@ TYPED_TEST(Surface, a_ray_from_inside_hits_the_wall_with_its_outer_normal) {
         visit_points(shape, [&](const glm::dvec3& p, const glm::dvec3& normal) {
             const double away = 1e-6 * size;
             const f64::Hit hit =
-                kernel.hit(shape, ray_from(p - away * normal, 0.01 * normal), 0, 1);
+                kernel.hit(shape, test::ray_from(p - away * normal, 0.01 * normal), 0, 1);
             ASSERT_TRUE(hit.found);
             EXPECT_LT(glm::length(hit.point - p), 1e-9 * size);
             EXPECT_GT(glm::dot(hit.normal, normal), 1.0 - 1e-7);
@@ -127,7 +119,7 @@ TYPED_TEST(Surface, no_point_is_hidden_from_a_ray_towards_it) {
                 return;
             }
             const glm::dvec3 origin = p - 2.0 * size * aim;
-            const f64::Hit hit = kernel.hit(shape, ray_from(origin, aim), 0, 1);
+            const f64::Hit hit = kernel.hit(shape, test::ray_from(origin, aim), 0, 1);
             ASSERT_TRUE(hit.found);
             EXPECT_LT(hit.t, 2.0 * size * (1.0 + 1e-9));
         });

@@ -85,11 +85,7 @@ TEST_P(Method, finds_nothing_beyond_the_interval) {
 }
 
 TEST_P(Method, stays_finite_and_inside_the_interval_whatever_the_coefficients) {
-    std::uint32_t state = 1;
-    const auto next = [&] {
-        state = state * 1664525u + 1013904223u;
-        return float(state >> 8) / float(1 << 23) - 1.0f;
-    };
+    test::Sequence<float> next(1);
     for (int i = 0; i < 60000; ++i) {
         // Some coefficients vanish: no division by them may show.
         const Solver<float>::Quartic quartic{i % 3 == 0 ? 0.0f : 4.0f * next(),

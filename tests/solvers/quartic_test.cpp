@@ -118,22 +118,14 @@ TEST(Quartic, a_double_root_in_float_is_found_once_or_is_a_tie) {
 }
 
 TEST(Quartic, random_roots_are_found_from_anywhere) {
-    std::uint32_t state = 3;
-    const auto next = [&] {
-        state = state * 1664525u + 1013904223u;
-        return Long(state >> 8) / Long(1 << 23) - 1.0L;
-    };
+    test::Sequence<Long> next(3);
     for (int i = 0; i < 2000; ++i) {
         expect_first_roots<double>({next(), next(), next(), next()}, 1e-6L, 1e-4L);
     }
 }
 
 TEST(Quartic, a_root_never_lies_outside_the_interval) {
-    std::uint32_t state = 1;
-    const auto next = [&] {
-        state = state * 1664525u + 1013904223u;
-        return float(state >> 8) / float(1 << 23) - 1.0f;
-    };
+    test::Sequence<float> next(1);
     for (int i = 0; i < 100000; ++i) {
         const Solver<float>::Quartic quartic{4.0f * next(), 4.0f * next(), 4.0f * next()};
         const float low = 2.0f * next();

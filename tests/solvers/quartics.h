@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <initializer_list>
 #include <vector>
 
@@ -15,6 +16,20 @@ namespace quartic::test {
 
 using Long = long double;
 using Roots = std::array<Long, 4>;
+
+// Repeatable numbers in [-1, 1): 24 bits, so that they are exact in every real type.
+template <class Real>
+class Sequence {
+public:
+    explicit Sequence(std::uint32_t seed) : state_(seed) {}
+    Real operator()() {
+        state_ = state_ * 1664525u + 1013904223u;
+        return Real(state_ >> 8) / Real(1 << 23) - Real(1);
+    }
+
+private:
+    std::uint32_t state_;
+};
 
 // Moves the roots so that their sum is zero: a quartic without cubic term.
 inline Roots centred(Roots roots) {

@@ -1,6 +1,7 @@
 // The six views of de Toledo, Levy, Paul 2007, table 1: hits that a solver on floats loses.
 #include "primitives/kernel.h"
 #include "solvers/solver_table.h"
+#include "tests/solvers/quartics.h"
 
 #include <gtest/gtest.h>
 
@@ -163,11 +164,7 @@ TEST(SixAngles, sphere_tracing_fattens_silhouettes_and_loses_next_to_nothing) {
 
 // Two methods that have nothing in common but their interval, on sectors, caps and thin tubes.
 TEST(Elbows, bracketed_hits_what_convexity_split_hits) {
-    std::uint32_t state = 7;
-    const auto next = [&] {
-        state = state * 1664525u + 1013904223u;
-        return double(state >> 8) / double(1 << 23) - 1.0;
-    };
+    test::Sequence<double> next(7);
     const int bracketed = find_solver("bracketed")->id;
     int hits = 0;
     int differ = 0;
