@@ -72,6 +72,14 @@ RvmRecordOfShape rvm_record(const f64::Disk& shape) {
     return record(8, {shape.radius * k, 0.0});
 }
 
+RvmRecordOfShape rvm_record(const f64::CubicSurface&) {
+    return record(11, {});
+}
+
+RvmRecordOfShape rvm_record(const f64::QuarticSurface&) {
+    return record(11, {});
+}
+
 RvmRecordOfShape rvm_line_record(const f64::Cylinder& rod) {
     return record(rvm_line_kind, {rod.radius * k, rod.height * k});
 }

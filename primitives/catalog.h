@@ -12,14 +12,19 @@ SHAPE(7, RectangularTorus, rectangular_torus)
 SHAPE(8, Box, box)
 SHAPE(9, Pyramid, pyramid)
 SHAPE(10, Disk, disk)
+SHAPE(11, CubicSurface, cubic)
+SHAPE(12, QuarticSurface, quartic)
 #else
+#include "primitives/algebraic.glsl"
 #include "primitives/arc.glsl"
 #include "primitives/box.glsl"
 #include "primitives/cone.glsl"
+#include "primitives/cubic_surface.glsl"
 #include "primitives/cylinder.glsl"
 #include "primitives/dish.glsl"
 #include "primitives/disk.glsl"
 #include "primitives/pyramid.glsl"
+#include "primitives/quartic_surface.glsl"
 #include "primitives/rectangular_torus.glsl"
 #include "primitives/snout.glsl"
 #include "primitives/sphere.glsl"

@@ -7,6 +7,7 @@ struct Ray {
     vec3 origin;
     vec3 direction;
     real first;
+    real pixel;  // a pixel's width where the shape is; 0 where it does not matter
 };
 
 // Where a ray first meets a surface. The normal is a unit vector out of the solid, also when the
@@ -16,6 +17,7 @@ struct Hit {
     real t;
     vec3 point;
     vec3 normal;
+    int steps;  // of the solver's loops, also of a miss
 };
 
 // The tight box of a shape.
@@ -57,6 +59,7 @@ real wall_reach(int open_ends, int end_index, real half_height, real overlap) {
 Hit miss() {
     Hit hit;
     hit.found = false;
+    hit.steps = 0;
     hit.t = real(0);
     hit.point = vec3(0);
     hit.normal = vec3(0);
@@ -70,6 +73,7 @@ vec3 at(Ray ray, real t) {
 Hit hit_at(Ray ray, real t, vec3 normal) {
     Hit hit;
     hit.found = true;
+    hit.steps = 0;
     hit.t = t;
     hit.point = at(ray, t);
     hit.normal = normalize(normal);

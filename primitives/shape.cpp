@@ -9,7 +9,8 @@ namespace quartic {
 namespace {
 
 constexpr ShapeRow rows[] = {
-#define SHAPE(id, Type, name) {ShapeType::name, #name, sizeof(f32::Type), Polyhedron<f64::Type>},
+#define SHAPE(id, Type, name) \
+    {ShapeType::name, #name, sizeof(f32::Type), Polyhedron<f64::Type>, Implicit<f64::Type>},
 #include "primitives/catalog.h"
 #undef SHAPE
 };
@@ -55,6 +56,26 @@ std::string_view first_of(std::initializer_list<std::string_view> faults) {
         }
     }
     return {};
+}
+
+// The numbers of a record in their order.
+template <class Shape>
+std::span<const double> scalars(const Shape& shape) {
+    return {reinterpret_cast<const double*>(&shape), sizeof(Shape) / sizeof(double)};
+}
+
+std::string_view find_bad_polynomial(std::span<const double> coefficients, double half_size) {
+    bool finite = true;
+    bool varies = false;
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        finite = finite && std::isfinite(coefficients[i]);
+        varies = varies || (i + 1 < coefficients.size() && coefficients[i] != 0.0);
+    }
+    if (!finite) {
+        return "a coefficient is not finite";
+    }
+    return varies ? first_of({find_bad_length({half_size}), find_zero_length({half_size})})
+                  : "a polynomial that is constant";
 }
 
 }  // namespace
@@ -162,6 +183,14 @@ std::string_view find_fault(const f64::Disk& shape) {
     }
     return shape.inner_radius >= shape.radius ? "the inner radius is not below the outer one"
                                               : std::string_view();
+}
+
+std::string_view find_fault(const f64::CubicSurface& shape) {
+    return find_bad_polynomial(scalars(shape).first(20), shape.half_size);
+}
+
+std::string_view find_fault(const f64::QuarticSurface& shape) {
+    return find_bad_polynomial(scalars(shape).first(35), shape.half_size);
 }
 
 }  // namespace quartic

@@ -26,6 +26,7 @@ struct ShapeRow {
     std::string_view name;
     std::size_t record_bytes;  // of the float parameters alone
     bool polyhedron;           // all faces are flat: drawn as its own triangles
+    bool implicit;             // given by where value() vanishes
 };
 
 // All shapes, in the order of their ids.
@@ -53,6 +54,12 @@ constexpr ShapeType type_of = ShapeType::mesh;
 template <class Shape>
 concept Polyhedron = requires(f64 kernel, Shape shape) {
     kernel.facet_normal(shape, 0);
+};
+
+// A shape that is given by where value() vanishes has no point(face, uv).
+template <class Shape>
+concept Implicit = requires(f64 kernel, Shape shape) {
+    kernel.value(shape, f64::vec3(0.0));
 };
 
 // Many shapes, each type in its own array.

@@ -58,6 +58,11 @@ Span below_plane(Span span, real depth, real rate, int face) {
     return rate > real(0) ? between(span, t, huge, face) : between(span, -huge, t, face);
 }
 
+// Keeps where |depth + rate t| <= reach.
+Span between_planes(Span span, real depth, real rate, real reach) {
+    return below_plane(below_plane(span, reach + depth, rate, 0), reach - depth, -rate, 0);
+}
+
 // Inside the sphere of this radius around the local origin. The line is measured from its closest
 // point, so that nothing cancels.
 Span in_sphere(vec3 o, vec3 d, real radius) {

@@ -198,7 +198,11 @@ Triangles tessellate_faces(const Shape& shape, double sagitta, int open_ends) {
 
 #define SHAPE(id, Type, name)                                                     \
     Triangles tessellate(const f64::Type& shape, double sagitta, int open_ends) { \
-        return tessellate_faces(shape, sagitta, open_ends);                       \
+        if constexpr (Implicit<f64::Type>) {                                      \
+            return {};                                                            \
+        } else {                                                                  \
+            return tessellate_faces(shape, sagitta, open_ends);                   \
+        }                                                                         \
     }
 #include "primitives/catalog.h"
 #undef SHAPE

@@ -7,11 +7,10 @@ const int marching_steps_max = 128;
 // 2007, section 4.3. With two starts the march goes on from the place nearest to the centre once
 // the distance grows. It stops beside the wall, so that a silhouette is fatter by the tolerance.
 Root march(Torus torus, vec3 p, vec3 v, Search search, bool two_starts) {
-    Root root;
-    root.found = false;
-    root.t = search.low;
+    Root root = no_root(search.low, 0);
     real before = huge;
     for (int i = 0; i < marching_steps_max; ++i) {
+        root.steps = i + 1;
         real distance = abs(length(from_spine(torus, p + root.t * v)) - torus.radius);
         if (distance < search.tolerance) {
             root.found = root.t <= search.high;

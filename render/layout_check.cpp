@@ -16,8 +16,11 @@ static_assert(offsetof(gpu::CameraBlock, step) == 128);
 static_assert(offsetof(gpu::CameraBlock, orthographic) == 192);
 static_assert(sizeof(gpu::CameraBlock) == 224);
 
-// A record is a placement and a shape, 64 bytes at the most.
-#define SHAPE(id, Type, name) static_assert(sizeof(gpu::Placement) + sizeof(f32::Type) <= 64);
+// A record is a placement and a shape, whose own alignment std430 rounds its size to: 64 bytes at
+// the most, but for surfaces that carry a polynomial.
+#define SHAPE(id, Type, name)                                         \
+    static_assert(sizeof(gpu::Placement) + sizeof(f32::Type) <= 64 || \
+                  (Implicit<f64::Type> && sizeof(f32::Type) % 16 == 0));
 #include "primitives/catalog.h"
 #undef SHAPE
 

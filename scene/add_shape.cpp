@@ -219,4 +219,12 @@ Added add_shape(Scene& scene, const f64::Disk& shape, const Part& part) {
     return add_sound(scene, shape, part);
 }
 
+Added add_shape(Scene& scene, const f64::CubicSurface& shape, const Part& part) {
+    return add_sound(scene, shape, part);
+}
+
+Added add_shape(Scene& scene, const f64::QuarticSurface& shape, const Part& part) {
+    return add_sound(scene, shape, part);
+}
+
 }  // namespace quartic

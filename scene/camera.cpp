@@ -129,9 +129,9 @@ f64::Ray pixel_ray(const View& view, double x, double y) {
     const glm::dvec3 offset = (x - 0.5 * view.size.width) * view.step * view.right +
                               (y - 0.5 * view.size.height) * view.step * view.up;
     if (view.projection == Projection::perspective) {
-        return {view.eye, offset - view.back, view.near_m};
+        return {view.eye, offset - view.back, view.near_m, 0.0};
     }
-    return {view.eye + offset, -view.back, view.near_m};
+    return {view.eye + offset, -view.back, view.near_m, 0.0};
 }
 
 glm::dvec3 project(const View& view, const glm::dvec3& world) {

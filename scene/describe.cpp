@@ -126,6 +126,18 @@ Properties describe_one(const f64::Pyramid& pyramid) {
     return list;
 }
 
+Properties describe_one(const f64::CubicSurface& surface) {
+    Properties list;
+    add_length(list, "Cube", 2.0 * surface.half_size);
+    return list;
+}
+
+Properties describe_one(const f64::QuarticSurface& surface) {
+    Properties list;
+    add_length(list, "Cube", 2.0 * surface.half_size);
+    return list;
+}
+
 Properties describe_one(const f64::Disk& disk) {
     Properties list;
     add_diameter(list, "Diameter", disk.radius);

@@ -100,7 +100,7 @@ Float narrow(const Double& shape) {
 }
 
 struct FloatShape {
-    float scalars[8];
+    float scalars[36];
     std::uint32_t bytes = 0;
     int hull_rings = 2;
 };

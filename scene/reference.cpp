@@ -87,7 +87,7 @@ struct Reference::State {
         const Part& part = scene->parts[id];
         const glm::dquat& rotation = part.placement.rotation;
         f64::Ray ray{turn_back(rotation, world.origin - part.placement.position),
-                     turn_back(rotation, world.direction), world.first};
+                     turn_back(rotation, world.direction), world.first, world.pixel};
         // Measured from near the part, as the kernel asks.
         const double shift =
             -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);

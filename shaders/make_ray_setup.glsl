@@ -36,5 +36,6 @@ RaySetup make_ray_setup(dvec3 centre, dvec4 rotation, dvec3 low, dvec3 high) {
     setup.step_y = vec3(turn_back(rotation, across_picture(dvec2(0.0, 1.0))));
     setup.pixel = vec2(pixel);
     setup.depth = float(depth - camera.focus_depth);
+    setup.pixel_size = float(camera.step * (parallel ? 1.0 : max(depth, camera.near_depth)));
     return setup;
 }

@@ -12,6 +12,7 @@ struct RaySetup {
     vec3 step_y;
     vec2 pixel;   // the reference pixel's centre
     float depth;  // the reference depth, from the focus
+    float pixel_size;  // a pixel's width at the reference depth
 };
 
 Ray ray_of(RaySetup setup, vec2 pixel) {
@@ -22,5 +23,6 @@ Ray ray_of(RaySetup setup, vec2 pixel) {
     ray.origin = setup.origin + (parallel ? offset : setup.depth * offset);
     ray.direction = setup.direction + (parallel ? vec3(0.0) : offset);
     ray.first = near_from_focus() - setup.depth;
+    ray.pixel = setup.pixel_size;
     return ray;
 }

@@ -1,10 +1,11 @@
 // Every solver, in the order in which they use each other.
 #include "solvers/quadratic.glsl"
-#include "solvers/quartic.glsl"
+#include "solvers/polynomial.glsl"
 #include "solvers/convexity_split.glsl"
 #include "solvers/newton.glsl"
 #include "solvers/sturm.glsl"
 #include "solvers/double_derivative_bisection.glsl"
+#include "solvers/cubic.glsl"
 #include "solvers/analytic.glsl"
 #include "solvers/bracketed.glsl"
 #include "solvers/first_root.glsl"

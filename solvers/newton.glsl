@@ -21,18 +21,17 @@ real bounded_step(real value, real slope, real furthest) {
 
 // With forward_only a step never turns back before the sign has changed: a dip narrower than the
 // longest step may still be jumped.
-Root first_root_newton(Quartic f, Search search, bool forward_only) {
+Root first_root_newton(Polynomial f, Search search, bool forward_only) {
     real furthest = real(0.15) * search.scale;
-    real side = forward_only && quartic_value(f, search.low) < real(0) ? real(-1) : real(1);
-    Root root;
-    root.found = false;
-    root.t = search.low;
+    real side = forward_only && value_at(f, search.low) < real(0) ? real(-1) : real(1);
+    Root root = no_root(search.low, 0);
     if (search.high <= search.low) {
         return root;
     }
     for (int i = 0; i < bounded_steps_max; ++i) {
-        real value = side * quartic_value(f, root.t);
-        real slope = side * quartic_slope(f, root.t);
+        root.steps = i + 1;
+        real value = side * value_at(f, root.t);
+        real slope = side * slope_at(f, root.t);
         real change = bounded_step(value, slope, furthest);
         if (forward_only && value > real(0) && slope >= real(0)) {
             change = furthest;

@@ -5,7 +5,7 @@ namespace quartic {
 namespace {
 
 constexpr SolverRow rows[] = {
-    {1, "convexity_split", "torus",
+    {1, "convexity_split", "torus cubic quartic",
      "monotone Newton on the intervals between inflections (solvers/convexity_split.glsl)"},
     {2, "newton", "torus",
      "bounded Newton as printed, with its lost hits (de Toledo, Levy, Paul 2007, section 4.4)"},
@@ -13,18 +13,20 @@ constexpr SolverRow rows[] = {
      "the same, stopping at a step of 0.00003 radii (de Toledo, Levy, Paul 2007, section 4.4)"},
     {4, "newton_forward", "torus",
      "the same, never turning back before a root (solvers/newton.glsl)"},
-    {5, "sturm", "torus",
-     "Sturm's sequence, 18 halvings (de Toledo, Levy, Paul 2007, sections 3 and 4.1)"},
+    {5, "sturm", "torus cubic quartic",
+     "Sturm's sequence, 20 halvings (de Toledo, Levy, Paul 2007, sections 3 and 4.1)"},
     {6, "double_derivative_bisection", "torus",
      "halving by the signs of f and f' (de Toledo, Levy, Paul 2007, section 4.2)"},
     {7, "sphere_tracing", "torus",
      "marching by the distance (Hart 1996; de Toledo, Levy, Paul 2007, section 4.3)"},
     {8, "sphere_tracing_two_ray", "torus",
      "the same with a second start (de Toledo, Levy, Paul 2007, section 4.3)"},
-    {9, "analytic", "torus",
-     "Ferrari's closed form (Abramowitz, Stegun 1964, sections 3.8.2 and 3.8.3)"},
-    {10, "bracketed", "torus",
+    {9, "analytic", "torus cubic quartic",
+     "the closed forms of Cardano, Viete and Ferrari (Abramowitz, Stegun 1964, section 3.8)"},
+    {10, "bracketed", "torus cubic quartic",
      "Newton in brackets between turning points (Yuksel 2022, Proc. ACM CGIT 5(3))"},
+    {11, "sturm_adaptive", "torus cubic quartic",
+     "as sturm, with fewer halvings the farther away (de Toledo, Levy, Paul 2007, section 3)"},
 };
 
 // Whether a word is in a list with spaces between.

@@ -106,7 +106,7 @@ TEST_F(JointsTest, normals_go_on_within_a_hundredth_of_a_degree_across_smooth_jo
                     const auto normal_at = [&](double offset_m) {
                         const glm::dvec3 start =
                             rim + offset_m * along - 0.5 * end.radius * inwards;
-                        return reference.trace({start, inwards, 0.0}).normal;
+                        return reference.trace({start, inwards, 0.0, 0.0}).normal;
                     };
                     const double sine = glm::length(glm::cross(normal_at(-1e-6), normal_at(1e-6)));
                     worst_deg = std::max(worst_deg,

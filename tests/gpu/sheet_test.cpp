@@ -33,6 +33,11 @@ protected:
             nan_pixels += picture.nan_pixels;
             compare(reference, make_view(camera, picture_size), picture_of(picture), comparison);
         }
+        for (const WrongPixel& pixel : comparison.wrong_pixels) {
+            ADD_FAILURE() << "view " << pixel.view << ", pixel " << pixel.x << ',' << pixel.y
+                          << ": part " << pixel.seen << " at " << pixel.seen_depth_m
+                          << " m instead of " << pixel.truth << " at " << pixel.true_depth_m;
+        }
         EXPECT_GT(comparison.hit_pixels, 10000u);
         EXPECT_EQ(comparison.missed.hard, 0u);
         EXPECT_EQ(comparison.false_hits.hard, 0u);

@@ -57,7 +57,7 @@ std::vector<f64::Ray> axis_rays(const Shape& shape) {
     std::vector<f64::Ray> rays;
     for (const glm::dvec3& place : places) {
         for (int code = 1; code < 27; ++code) {
-            f64::Ray ray;
+            f64::Ray ray{};
             ray.direction = glm::dvec3(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
             if (ray.direction == glm::dvec3(0.0)) {
                 continue;
@@ -109,7 +109,7 @@ TYPED_TEST(AwkwardRays, axis_parallel_rays_in_float_are_finite) {
         SCOPED_TRACE(index++);
         const auto small = test::to_float(shape);
         for (const f64::Ray& ray : axis_rays(shape)) {
-            f32::Ray thin;
+            f32::Ray thin{};
             thin.origin = ray.origin;
             thin.direction = ray.direction;
             thin.first = float(everything);
@@ -135,7 +135,7 @@ TYPED_TEST(AwkwardRays, a_line_goes_in_and_out_in_turn) {
             const glm::dvec3 place(numbers.between(box.low.x, box.high.x),
                                    numbers.between(box.low.y, box.high.y),
                                    numbers.between(box.low.z, box.high.z));
-            f64::Ray ray;
+            f64::Ray ray{};
             ray.direction = numbers.direction();
             ray.origin = place - test::size_of(shape) * ray.direction;
             ray.first = everything;
@@ -165,7 +165,7 @@ TYPED_TEST(AwkwardRays, the_length_of_the_direction_and_the_distance_do_not_matt
         for (int i = 0; i < 60; ++i) {
             const glm::dvec3 aim = numbers.direction();
             const glm::dvec3 place = glm::mix(box.low, box.high, 0.5 + 0.3 * numbers.direction());
-            f64::Ray ray;
+            f64::Ray ray{};
             ray.origin = place - 2.0 * size * aim;
             ray.direction = aim;
             ray.first = 0.0;
@@ -196,7 +196,7 @@ TYPED_TEST(AwkwardRays, what_lies_before_first_is_not_seen) {
         SCOPED_TRACE(index++);
         const double size = test::size_of(shape);
         for (int i = 0; i < 60; ++i) {
-            f64::Ray ray;
+            f64::Ray ray{};
             ray.direction = numbers.direction();
             ray.origin =
                 kernel.point(shape, 0, {numbers.next(), numbers.next()}) - size * ray.direction;
@@ -230,11 +230,11 @@ Agreement compare_floats(const Shape& exact) {
         const glm::dvec3 place(numbers.between(box.low.x, box.high.x),
                                numbers.between(box.low.y, box.high.y),
                                numbers.between(box.low.z, box.high.z));
-        f32::Ray ray;
+        f32::Ray ray{};
         ray.direction = aim;
         ray.origin = glm::vec3(place - 0.7 * size * glm::dvec3(aim));
         ray.first = 0.0f;
-        f64::Ray same;
+        f64::Ray same{};
         same.direction = aim;
         same.origin = ray.origin;
         same.first = 0.0;

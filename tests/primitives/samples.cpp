@@ -93,6 +93,36 @@ std::vector<f64::Pyramid> samples<f64::Pyramid>() {
             {0.5, 0.5, 0.5, 0.5, 1.5, 0, 1.0, 0},    {2.0, 3.0, 1.0, 1.0, 0, 0, 0.01, 0}};
 }
 
+// The plane curve y^2 = x^3 + x^2 turned into surfaces: a node at the origin.
+template <>
+std::vector<f64::CubicSurface> samples<f64::CubicSurface>() {
+    f64::CubicSurface ding_dong{};  // x^2 + y^2 = (1 - z) z^2
+    ding_dong.c[0] = {0.0, 0.0, 0.0, 1.0};
+    ding_dong.c[3] = {0.0, 0.0, 1.0, 0.0};
+    ding_dong.c[4] = {1.0, -1.0, 0.0, 0.0};
+    ding_dong.half_size = 1.0;
+    f64::CubicSurface small = ding_dong;
+    small.half_size = 0.02;
+    return {ding_dong, small};
+}
+
+template <>
+std::vector<f64::QuarticSurface> samples<f64::QuarticSurface>() {
+    // Goursat's x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 3/8.
+    f64::QuarticSurface cushion{};
+    cushion.c[0].x = 1.0;
+    cushion.c[2].y = -1.0;
+    cushion.c[5].x = 1.0;
+    cushion.c[6].y = -1.0;
+    cushion.c[7].z = 1.0;
+    cushion.c_32 = -1.0;
+    cushion.c_34 = 0.375;
+    cushion.half_size = 1.0;
+    f64::QuarticSurface large = cushion;
+    large.half_size = 40.0;
+    return {cushion, large};
+}
+
 template <>
 std::vector<f64::Disk> samples<f64::Disk>() {
     return {{1.0, 0.0, 0, 0}, {1.0, 0.5, 0, 0}, {0.2, 0.199, 0, 0}};

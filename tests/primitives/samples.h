@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cstring>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace quartic::test {
@@ -23,23 +25,34 @@ std::vector<Shape> samples();
 #include "primitives/catalog.h"
 #undef SHAPE
 
-template <class First, class... Rest>
-struct TypesAfter {
-    using Types = ::testing::Types<Rest...>;
+template <class Tuple>
+struct AsTypes;
+template <class... Shapes>
+struct AsTypes<std::tuple<Shapes...>> {
+    using Types = ::testing::Types<Shapes...>;
 };
 
-// Every shape of the catalogue, as GoogleTest's list of types.
-using AllShapes = TypesAfter<void
-#define SHAPE(id, Type, name) , f64::Type
+template <class Shape, bool implicit>
+using TupleIf = std::conditional_t<Implicit<Shape> == implicit, std::tuple<Shape>, std::tuple<>>;
+
+template <bool implicit>
+using ShapesIf = decltype(std::tuple_cat(
+#define SHAPE(id, Type, name) TupleIf<f64::Type, implicit>(),
 #include "primitives/catalog.h"
 #undef SHAPE
-                             >::Types;
+    std::tuple<>()));
+
+// The shapes of the catalogue as GoogleTest's lists of types: those with faces that point() walks
+// over, and those that are given by where value() vanishes.
+using AllShapes = AsTypes<ShapesIf<false>>::Types;
+using ImplicitShapes = AsTypes<ShapesIf<true>>::Types;
 
 inline f64::Ray ray_from(const glm::dvec3& origin, const glm::dvec3& direction) {
     f64::Ray ray;
     ray.origin = origin;
     ray.direction = direction;
     ray.first = 0.0;
+    ray.pixel = 0.0;
     return ray;
 }
 

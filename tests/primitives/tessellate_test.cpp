@@ -70,7 +70,7 @@ TYPED_TEST(Tessellation, triangles_depart_by_the_sagitta_at_most) {
         for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
             const glm::dvec3 area = area_vector(triangles, i);
             const glm::dvec3 normal = area / glm::length(area);
-            f64::Ray ray;
+            f64::Ray ray{};
             ray.direction = -normal;
             ray.origin = centre_of(triangles, i) + 1.02 * sagitta * normal;
             ray.first = 0.0;

@@ -152,7 +152,7 @@ struct Score {
 template <class Real>
 void judge(Score& score, const Ring& ring, const glm::dvec3& from, const glm::dvec3& to) {
     using K = Kernel<Real>;
-    typename K::Ray ray;
+    typename K::Ray ray{};
     ray.origin = typename K::vec3(from);
     ray.direction = typename K::vec3(glm::normalize(to - from));
     ray.first = Real(0);

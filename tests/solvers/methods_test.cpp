@@ -88,9 +88,9 @@ TEST_P(Method, stays_finite_and_inside_the_interval_whatever_the_coefficients) {
     test::Sequence<float> next(1);
     for (int i = 0; i < 60000; ++i) {
         // Some coefficients vanish: no division by them may show.
-        const Solver<float>::Quartic quartic{i % 3 == 0 ? 0.0f : 4.0f * next(),
-                                             i % 5 == 0 ? 0.0f : 4.0f * next(),
-                                             i % 7 == 0 ? 0.0f : 4.0f * next()};
+        const Solver<float>::Polynomial quartic = Solver<float>().polynomial(
+            1.0f, 0.0f, i % 3 == 0 ? 0.0f : 4.0f * next(), i % 5 == 0 ? 0.0f : 4.0f * next(),
+            i % 7 == 0 ? 0.0f : 4.0f * next());
         const float low = 2.0f * next();
         const float high = low + 2.0f + next();
         const auto root = first_root(quartic, low, high, 1e-3f, GetParam());

@@ -127,7 +127,8 @@ TEST(Quartic, random_roots_are_found_from_anywhere) {
 TEST(Quartic, a_root_never_lies_outside_the_interval) {
     test::Sequence<float> next(1);
     for (int i = 0; i < 100000; ++i) {
-        const Solver<float>::Quartic quartic{4.0f * next(), 4.0f * next(), 4.0f * next()};
+        const Solver<float>::Polynomial quartic =
+            Solver<float>().polynomial(1.0f, 0.0f, 4.0f * next(), 4.0f * next(), 4.0f * next());
         const float low = 2.0f * next();
         const float high = low + 2.0f + next();
         for (const int id : solvers()) {

@@ -42,7 +42,7 @@ inline Roots centred(Roots roots) {
 }
 
 template <class Real>
-typename Solver<Real>::Quartic from_roots(const Roots& r) {
+typename Solver<Real>::Polynomial from_roots(const Roots& r) {
     Long c = 0.0L;
     Long d = 0.0L;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -53,20 +53,23 @@ typename Solver<Real>::Quartic from_roots(const Roots& r) {
             }
         }
     }
-    return {Real(c), Real(d), Real(r[0] * r[1] * r[2] * r[3])};
+    return Solver<Real>().polynomial(Real(1), Real(0), Real(c), Real(d),
+                                     Real(r[0] * r[1] * r[2] * r[3]));
 }
 
 // (t^2 + p t + q) (t^2 - p t + s): two of its pairs may be complex.
 template <class Real>
-typename Solver<Real>::Quartic from_factors(Long p, Long q, Long s) {
-    return {Real(q + s - p * p), Real(p * (s - q)), Real(q * s)};
+typename Solver<Real>::Polynomial from_factors(Long p, Long q, Long s) {
+    return Solver<Real>().polynomial(Real(1), Real(0), Real(q + s - p * p), Real(p * (s - q)),
+                                     Real(q * s));
 }
 
 // Searches as a torus does: half the interval is about its size.
-template <class Quartic, class Real>
-auto first_root(const Quartic& quartic, Real low, Real high, Real tolerance, int solver) {
+template <class Polynomial, class Real>
+auto first_root(const Polynomial& quartic, Real low, Real high, Real tolerance, int solver) {
     const Real scale = std::max(Real(0.5) * (high - low), tolerance);
-    return Solver<Real>().first_root(quartic, {low, high, tolerance, scale}, solver);
+    return Solver<Real>().first_root(quartic, {low, high, tolerance, scale, Real(0.01) * tolerance},
+                                     solver);
 }
 
 inline std::vector<int> ids_of(std::initializer_list<const char*> names) {

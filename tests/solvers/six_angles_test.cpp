@@ -42,11 +42,11 @@ f64::Ray ray_through(int angle_deg, double x, double y) {
     const glm::dvec3 direction = glm::normalize(half * (x * right + y * up) - back);
     const glm::dvec3 eye = 5.579 * back;
     const double shift = glm::dot(eye, direction);
-    return {eye - shift * direction, direction, shift};
+    return {eye - shift * direction, direction, shift, 0.0};
 }
 
 f32::Ray narrow(const f64::Ray& ray) {
-    return {glm::vec3(ray.origin), glm::vec3(ray.direction), float(ray.first)};
+    return {glm::vec3(ray.origin), glm::vec3(ray.direction), float(ray.first), 0.0f};
 }
 
 f64::Hit truth(const f64::Ray& ray) {
@@ -173,7 +173,7 @@ TEST(Elbows, bracketed_hits_what_convexity_split_hits) {
                                0.0};
         const glm::dvec3 direction(next(), next(), next());
         const f64::Ray ray{1.2 * glm::dvec3(next(), next(), next()), direction,
-                           i % 2 == 0 ? 0.0 : -1e3};
+                           i % 2 == 0 ? 0.0 : -1e3, 0.0};
         const f64::Hit expected = f64().hit(elbow, ray, i % 4, solver_default);
         const f64::Hit found = f64().hit(elbow, ray, i % 4, bracketed);
         hits += expected.found;

@@ -32,7 +32,8 @@ TEST(SolverTable, stored_numbers_never_change) {
         {"newton_fine", 3},     {"newton_forward", 4},
         {"sturm", 5},           {"double_derivative_bisection", 6},
         {"sphere_tracing", 7},  {"sphere_tracing_two_ray", 8},
-        {"analytic", 9},        {"bracketed", 10}};
+        {"analytic", 9},        {"bracketed", 10},
+        {"sturm_adaptive", 11}};
     for (const auto& [name, id] : stored) {
         ASSERT_NE(find_solver(name), nullptr) << name;
         EXPECT_EQ(find_solver(name)->id, id) << name;

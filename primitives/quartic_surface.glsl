@@ -1,0 +1,70 @@
+// A quartic surface: where a polynomial of degree 4 vanishes, within the cube of half_size around
+// the local origin. Coordinates are measured in half_size. It is a sheet, not a solid: it has no
+// caps, and its normals point to where the polynomial is positive.
+struct QuarticSurface {
+    vec4 c[8];  // the first 32 of its 35 coefficients, in the order of algebraic.glsl
+    real c_32;
+    real c_33;
+    real c_34;
+    real half_size;  // > 0
+};
+
+Coefficients coefficients(QuarticSurface surface) {
+    Coefficients c;
+    for (int i = 0; i < 8; ++i) {
+        c.of[4 * i] = surface.c[i].x;
+        c.of[4 * i + 1] = surface.c[i].y;
+        c.of[4 * i + 2] = surface.c[i].z;
+        c.of[4 * i + 3] = surface.c[i].w;
+    }
+    c.of[32] = surface.c_32;
+    c.of[33] = surface.c_33;
+    c.of[34] = surface.c_34;
+    return c;
+}
+
+// The polynomial and its gradient at a point of the local frame, as it is in units of half_size.
+real value(QuarticSurface surface, vec3 p) {
+    return quartic_along(coefficients(surface), p / surface.half_size, vec3(0)).a0;
+}
+
+vec3 quartic_gradient(Coefficients c, vec3 p) {
+    return vec3(quartic_along(c, p, vec3(1, 0, 0)).a1, quartic_along(c, p, vec3(0, 1, 0)).a1,
+                quartic_along(c, p, vec3(0, 0, 1)).a1);
+}
+
+vec3 gradient(QuarticSurface surface, vec3 p) {
+    return quartic_gradient(coefficients(surface), p / surface.half_size);
+}
+
+Bounds bounds(QuarticSurface surface) {
+    Bounds box;
+    box.low = vec3(-surface.half_size);
+    box.high = vec3(surface.half_size);
+    return box;
+}
+
+int end_count(QuarticSurface surface) {
+    return 0;
+}
+
+End end(QuarticSurface surface, int index) {
+    return no_end();
+}
+
+int hull_rings(QuarticSurface surface) {
+    return 2;
+}
+
+vec3 hull_point(QuarticSurface surface, int ring, int corner, real margin) {
+    real reach = surface.half_size + margin;
+    vec2 xy = rectangle_corner(vec2(reach), corner);
+    return vec3(xy.x, xy.y, ring == 0 ? -reach : reach);
+}
+
+Hit hit(QuarticSurface surface, Ray ray, int open_ends, int solver) {
+    Coefficients c = coefficients(surface);
+    AlgebraicLine line = in_cube(ray, surface.half_size);
+    Root root = first_root(quartic_along(c, line.p, line.v), line.search, solver);
+    return hit_of(ray, line, root, quartic_gradient(c, place_of(line, root)));
+}
