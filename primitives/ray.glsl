@@ -16,6 +16,7 @@ struct Hit {
     real t;
     vec3 point;
     vec3 normal;
+    int steps;
 };
 
 // The tight box of a shape.
@@ -56,6 +57,7 @@ real wall_reach(int open_ends, int end_index, real half_height, real overlap) {
 
 Hit miss() {
     Hit hit;
+    hit.steps = 0;
     hit.found = false;
     hit.t = real(0);
     hit.point = vec3(0);
@@ -69,6 +71,7 @@ vec3 at(Ray ray, real t) {
 
 Hit hit_at(Ray ray, real t, vec3 normal) {
     Hit hit;
+    hit.steps = 0;
     hit.found = true;
     hit.t = t;
     hit.point = at(ray, t);

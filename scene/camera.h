@@ -25,6 +25,7 @@ struct Camera {
 struct PixelSize {
     int width = 0;
     int height = 0;
+    bool operator==(const PixelSize&) const = default;
 };
 
 // A camera resolved for a picture: unit axes in the world, x right, y up, z backwards (out of the
