@@ -62,8 +62,8 @@ TEST_F(InspectTest, rays_are_counted_where_they_miss_and_where_they_hit) {
     int untouched = 0;
     for (std::size_t i = 0; i < picture.ids.size(); ++i) {
         const bool is_hit = picture.ids[i] != no_index;
-        // A ring's hull may stand before itself: then its ray is solved twice.
-        ASSERT_LE(picture.rays[i], 2);
+        // A ring's hull may stand before itself: then its ray is solved again.
+        ASSERT_LE(picture.rays[i], 4);
         ASSERT_TRUE(picture.rays[i] > 0 || !is_hit) << "pixel " << i;
         hits += is_hit;
         misses += !is_hit && picture.rays[i] > 0;
