@@ -17,10 +17,6 @@ namespace {
 constexpr std::size_t gl_errors_max = 16;
 constexpr std::size_t inspected_pixels_max = 0x7fffffff / sizeof(glm::vec4);  // to be read at once
 
-std::size_t pixel_count(PixelSize size) {
-    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-}
-
 gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
     gpu::CameraBlock block{};
     block.eye = glm::dvec4(view.eye, 1.0);

@@ -121,6 +121,10 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
 // The boxes of all visible parts.
 std::vector<Box3> part_boxes(const Scene& scene, const std::array<bool, layer_count>& layers);
 
+// The solver that a part is drawn with: the one for everything, or, where that is 0, its
+// material's, or the default.
+int solver_of(const Scene& scene, const Part& part, int everywhere);
+
 // Joins names from the root: "/SITE/ZONE/PIPE-1".
 std::string path_of(const Scene& scene, std::uint32_t node);
 
