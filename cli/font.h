@@ -14,5 +14,7 @@ using Glyph = std::array<std::uint8_t, glyph_height_px>;
 
 // A frame for what the font does not have.
 const Glyph& glyph_of(char character);
+// How far it hangs below the line, in pixels.
+int drop_of(char character);
 
 }  // namespace quartic::cli

@@ -36,11 +36,12 @@ void Lettering::fill(const Area& area, const Rgb& colour, double opacity) {
 void Lettering::write(int x, int y, std::string_view text, const Rgb& colour) {
     for (const char character : text) {
         const Glyph& glyph = glyph_of(character);
+        const int top = y + drop_of(character) * scale_;
         for (int row = 0; row < glyph_height_px; ++row) {
             for (int column = 0; column < glyph_width_px; ++column) {
                 if ((glyph[static_cast<std::size_t>(row)] >> (glyph_width_px - 1 - column) & 1) !=
                     0) {
-                    fill({x + column * scale_, y + row * scale_, scale_, scale_}, colour);
+                    fill({x + column * scale_, top + row * scale_, scale_, scale_}, colour);
                 }
             }
         }
@@ -50,7 +51,8 @@ void Lettering::write(int x, int y, std::string_view text, const Rgb& colour) {
 
 void Lettering::write_label(int x, int y, std::string_view text) {
     const int margin = 3 * scale_;
-    fill({x, y, width_of(text) + 2 * margin, glyph_height_px * scale_ + 2 * margin}, paper, 0.85);
+    fill({x, y, width_of(text) + 2 * margin, (glyph_height_px + 1) * scale_ + 2 * margin}, paper,
+         0.85);
     write(x + margin, y + margin, text, ink);
 }
 

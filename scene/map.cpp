@@ -19,8 +19,8 @@ constexpr Rgb orange{255, 140, 0};
 constexpr Rgb grey{130, 130, 130};
 
 constexpr MapRow rows[] = {
-    {MapKind::steps, "steps", "Solver steps of all rays", "steps"},
-    {MapKind::rays, "rays", "Rays solved", "rays"},
+    {MapKind::steps, "steps", "Solver steps per pixel, all rays", "steps"},
+    {MapKind::rays, "rays", "Rays solved per pixel", "rays"},
     {MapKind::error, "error", "Position error", "m"},
     {MapKind::solver, "solver", "Solver of the visible part", ""},
     {MapKind::difference, "difference", "Position difference", "m"},

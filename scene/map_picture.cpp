@@ -19,20 +19,23 @@ std::vector<float> numbers_of(const Map& map) {
     return numbers;
 }
 
-MapScale logarithmic_scale(const std::vector<float>& numbers) {
-    double least = 1e300;
-    double most = 0.0;
-    for (const float number : numbers) {
-        if (number > 0.0f) {
-            least = std::min(least, static_cast<double>(number));
-            most = std::max(most, static_cast<double>(number));
-        }
-    }
-    if (most == 0.0) {
+// The value that so large a part of the numbers is at most.
+double quantile(std::vector<float>& numbers, double part) {
+    const auto rank =
+        static_cast<std::ptrdiff_t>(std::ceil(part * static_cast<double>(numbers.size())) - 1.0);
+    std::nth_element(numbers.begin(), numbers.begin() + rank, numbers.end());
+    return static_cast<double>(numbers[static_cast<std::size_t>(rank)]);
+}
+
+// Up to the largest number; down to where all but one in a hundred are.
+MapScale logarithmic_scale(std::vector<float> numbers) {
+    std::erase_if(numbers, [](float number) { return number <= 0.0f; });
+    if (numbers.empty()) {
         return {1e-9, 1e-6, true};
     }
-    const double high = std::ceil(std::log10(most));
-    const double low = std::clamp(std::floor(std::log10(least)), high - decades_max, high - 1.0);
+    const double high = std::ceil(std::log10(quantile(numbers, 1.0)));
+    const double least = std::floor(std::log10(quantile(numbers, 0.01)));
+    const double low = std::clamp(least, high - decades_max, high - 1.0);
     return {std::pow(10.0, low), std::pow(10.0, high), true};
 }
 
@@ -42,22 +45,28 @@ std::string short_text(double value) {
     return text.data();
 }
 
-// At most so many that their texts stand apart.
-std::vector<LegendTick> ticks_of(const MapScale& scale, double max) {
+// Powers of ten, at most so many that their texts stand apart.
+std::vector<LegendTick> decade_ticks(const MapScale& scale) {
+    const int low = static_cast<int>(std::lround(std::log10(scale.low)));
+    const int high = static_cast<int>(std::lround(std::log10(scale.high)));
+    const int step = high - low > 4 ? 2 : 1;
     std::vector<LegendTick> ticks;
-    if (scale.logarithmic) {
-        const double decades = std::round(std::log10(scale.high / scale.low));
-        const double step = decades > 4.0 ? 2.0 : 1.0;
-        for (double decade = decades; decade >= 0.0; decade -= step) {
-            ticks.push_back({decade / decades, short_text(scale.low * std::pow(10.0, decade))});
-        }
-        std::reverse(ticks.begin(), ticks.end());
-        return ticks;
+    for (int decade = high; decade >= low; decade -= step) {
+        ticks.insert(ticks.begin(), {static_cast<double>(decade - low) / (high - low),
+                                     "1e" + std::to_string(decade)});
     }
-    const std::string last = short_text(scale.high) + (max > scale.high ? "+" : "");
-    return {{0.0, short_text(scale.low)},
-            {0.5, short_text(0.5 * (scale.low + scale.high))},
-            {1.0, last}};
+    return ticks;
+}
+
+// The ends and the middle; whole numbers if the ends are.
+std::vector<LegendTick> count_ticks(const MapScale& scale, double max) {
+    std::vector<LegendTick> ticks{{0.0, short_text(scale.low)}};
+    const double middle = std::floor(0.5 * (scale.low + scale.high));
+    if (middle > scale.low) {
+        ticks.push_back({place_on(scale, middle), short_text(middle)});
+    }
+    ticks.push_back({1.0, short_text(scale.high) + (max > scale.high ? "+" : "")});
+    return ticks;
 }
 
 }  // namespace
@@ -74,9 +83,7 @@ MapFigures figures_of(const Map& map) {
     figures.max = static_cast<double>(*most);
     figures.mean =
         std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
-    const auto rank = static_cast<std::ptrdiff_t>((numbers.size() * 99 + 99) / 100 - 1);
-    std::nth_element(numbers.begin(), numbers.begin() + rank, numbers.end());
-    figures.p99 = static_cast<double>(numbers[static_cast<std::size_t>(rank)]);
+    figures.p99 = quantile(numbers, 0.99);
     return figures;
 }
 
@@ -118,8 +125,9 @@ Legend legend_of(const Map& map, const MapScale& scale) {
     Legend legend;
     legend.title = std::string(row.title);
     if (map.kind != MapKind::solver) {
-        legend.title += ", " + std::string(row.unit) + (scale.logarithmic ? "" : " per pixel");
-        legend.ticks = ticks_of(scale, figures_of(map).max);
+        legend.title += scale.logarithmic ? ", " + std::string(row.unit) : "";
+        legend.ticks =
+            scale.logarithmic ? decade_ticks(scale) : count_ticks(scale, figures_of(map).max);
     }
     for (const MapClass& one : map.class_list) {
         // Solvers that draw nothing here need no line.

@@ -22,7 +22,7 @@ struct MapScale {
     bool logarithmic = false;
 };
 // Counts from 0 to the 99th percentile, what is more having the last colour; metres over whole
-// powers of ten.
+// powers of ten, all but the smallest hundredth of them.
 MapScale scale_of(const Map& map);
 // 0 to 1.
 double place_on(const MapScale& scale, double value);
