@@ -22,18 +22,25 @@ bool compares(const RenderArguments& arguments) {
     return !arguments.map.empty() && !counts_cost(arguments);
 }
 
-RenderOptions draw_options(const RenderArguments& arguments) {
+RenderOptions shot_options(const RenderArguments& arguments) {
     RenderOptions options = render_options(arguments);
     options.inspect = counts_cost(arguments);
     options.cull_size = !compares(arguments);
+    options.opaque = compares(arguments);
     return options;
 }
 
+// What the samples of one picture have in common.
+struct Shot {
+    const Camera& camera;
+    PixelSize size;
+    RenderOptions options;
+};
+
 // One frame, finished; its time by the wall's clock.
-Result<double> timed_draw(Renderer& renderer, const Camera& camera, PixelSize size,
-                          const RenderOptions& options) {
+Result<double> timed_draw(Renderer& renderer, const Shot& shot) {
     const Moment start = now();
-    const Status drawn = renderer.draw(camera, size, options);
+    const Status drawn = renderer.draw(shot.camera, shot.size, shot.options);
     if (!drawn) {
         return drawn.error();
     }
@@ -41,30 +48,27 @@ Result<double> timed_draw(Renderer& renderer, const Camera& camera, PixelSize si
     return elapsed_ms(start);
 }
 
-Status draw_samples(Renderer& renderer, const Camera& camera, const RenderArguments& arguments,
-                    Drawn& drawn) {
-    RenderOptions options = draw_options(arguments);
+Status draw_samples(Renderer& renderer, const Shot& shot, int samples, Drawn& drawn) {
     drawn.picture = renderer.read();
     drawn.counts = renderer.counts();
     Average average;
     average.add(drawn.picture.colours);
-    for (int i = 1; i < arguments.samples && !is_interrupted(); ++i) {
+    RenderOptions options = shot.options;
+    for (int i = 1; i < samples && !is_interrupted(); ++i) {
         options.jitter_px = sample_offset_px(i);
-        const Status sample = renderer.draw(camera, drawn.picture.size, options);
+        const Status sample = renderer.draw(shot.camera, shot.size, options);
         if (!sample) {
             return sample.error();
         }
         average.add(renderer.read().colours);
     }
-    drawn.colours = arguments.samples > 1 ? average.rgba() : drawn.picture.colours;
+    drawn.colours = samples > 1 ? average.rgba() : drawn.picture.colours;
     return Done{};
 }
 
-Status time_frames(Renderer& renderer, const Camera& camera, PixelSize size,
-                   const RenderArguments& arguments, Drawn& drawn) {
-    const RenderOptions options = draw_options(arguments);
-    for (int i = 0; i < warm_up_frames + arguments.frames && !is_interrupted(); ++i) {
-        const Result<double> time_ms = timed_draw(renderer, camera, size, options);
+Status time_frames(Renderer& renderer, const Shot& shot, int frames, Drawn& drawn) {
+    for (int i = 0; i < warm_up_frames + frames && !is_interrupted(); ++i) {
+        const Result<double> time_ms = timed_draw(renderer, shot);
         if (!time_ms) {
             return time_ms.error();
         }
@@ -75,33 +79,16 @@ Status time_frames(Renderer& renderer, const Camera& camera, PixelSize size,
     return Done{};
 }
 
-struct Request {
-    const RenderArguments* arguments;
-    PixelSize size;
-    int solver;
-};
-
-// One picture, all of it drawn by one solver or by the materials' own (0).
-Result<Drawn> draw_picture(Renderer& renderer, const Scene& scene, const Camera& camera,
-                           const Request& request) {
-    const RenderArguments& arguments = *request.arguments;
-    PackOptions packing;
-    packing.solver = request.solver;
-    packing.transparent_as_opaque = compares(arguments);
-    const Status loaded = renderer.load(pack(scene, packing));
-    if (!loaded) {
-        return loaded.error();
-    }
-    const Result<double> first =
-        timed_draw(renderer, camera, request.size, draw_options(arguments));
+Result<Drawn> draw_shot(Renderer& renderer, const Shot& shot, const RenderArguments& arguments) {
+    const Result<double> first = timed_draw(renderer, shot);
     if (!first) {
         return first.error();
     }
     Drawn drawn;
     drawn.first_frame_ms = first.value();
     drawn.renderer = renderer_name().renderer;
-    for (const Status& step : {draw_samples(renderer, camera, arguments, drawn),
-                               time_frames(renderer, camera, request.size, arguments, drawn)}) {
+    for (const Status& step : {draw_samples(renderer, shot, arguments.samples, drawn),
+                               time_frames(renderer, shot, arguments.frames, drawn)}) {
         if (!step) {
             return step.error();
         }
@@ -129,22 +116,32 @@ Result<Drawn> draw_on_gpu(const Scene& scene, const Camera& camera, PixelSize si
         return created.error();
     }
     Renderer& renderer = created.value();
-    Result<Drawn> drawn = draw_picture(
-        renderer, scene, camera, {&arguments, size, solver_number(arguments.solvers.everywhere)});
-    const std::string second_name = second_solver(arguments);
-    std::optional<Result<Drawn>> second;
-    if (drawn && !second_name.empty()) {
-        second =
-            draw_picture(renderer, scene, camera, {&arguments, size, solver_number(second_name)});
-        if (!*second) {
-            return second->error();
-        }
+    PackOptions packing;
+    packing.solver = solver_number(arguments.solvers.everywhere);
+    const Status loaded = renderer.load(pack(scene, packing));
+    if (!loaded) {
+        return loaded.error();
     }
-    if (drawn && !arguments.map.empty()) {
-        show_map(scene, make_view(camera, size), arguments, second ? &second->value() : nullptr,
+    Shot shot{camera, size, shot_options(arguments)};
+    Result<Drawn> drawn = draw_shot(renderer, shot, arguments);
+    const std::string second_name = second_solver(arguments);
+    if (!drawn || (second_name.empty() && arguments.map.empty())) {
+        return drawn;
+    }
+    std::optional<Drawn> second;
+    if (!second_name.empty()) {
+        shot.options.solver = solver_number(second_name);
+        Result<Drawn> other = draw_shot(renderer, shot, arguments);
+        if (!other) {
+            return other.error();
+        }
+        second = std::move(other).value();
+    }
+    if (arguments.map.empty()) {
+        show_halves(arguments, *second, drawn.value());
+    } else {
+        show_map(scene, make_view(camera, size), arguments, second ? &*second : nullptr,
                  drawn.value());
-    } else if (drawn && second) {
-        show_halves(arguments, second->value(), drawn.value());
     }
     return drawn;
 }

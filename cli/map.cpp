@@ -9,10 +9,6 @@
 namespace quartic::cli {
 namespace {
 
-Picture picture_of(const GBuffer& buffer) {
-    return {buffer.size, buffer.ids, buffer.depth_m, buffer.normals};
-}
-
 // What draws the picture, or its left half.
 std::string first_name(const RenderArguments& arguments) {
     if (!arguments.solvers.everywhere.empty()) {

@@ -5,6 +5,7 @@
 #include "render/frame.h"
 #include "render/program.h"
 #include "scene/gpu_layout.h"
+#include "solvers/solver_table.h"
 
 #include <glm/packing.hpp>
 
@@ -43,6 +44,14 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
     return block;
 }
 
+// What of the options the programs depend on.
+struct Looks {
+    int solver = 0;
+    bool opaque = false;
+    bool inspect = false;
+    bool operator==(const Looks&) const = default;
+};
+
 // A target's normal; its two halves are what GLSL calls snorm.
 glm::vec3 normal_from(std::uint32_t bits) {
     return gpu::Picture<float>().normal_from_octahedron(glm::unpackSnorm2x16(bits));
@@ -75,8 +84,8 @@ struct Renderer::State {
     SceneBuffers scene;
     Targets targets;
     InspectionTargets inspection;
-    std::vector<PrimitiveVariant> variants;  // of the scene's draws; the pass is chosen later
-    bool inspects = false;                   // what the draws' programs are made for
+    std::vector<PrimitiveVariant> variants;  // of the scene's draws, as they were packed
+    Looks looks;                             // what the draws' programs are made for
     GlBuffer camera;
     View view{};
     Box3 box;  // of all parts
@@ -108,12 +117,17 @@ struct Renderer::State {
         return made;
     }
 
-    // Gives every draw its programs; those that are new are compiled.
-    Status choose_programs(bool inspect) {
-        inspects = inspect;
+    // Gives every draw its programs; those that are new are compiled, and all are kept.
+    Status choose_programs(const Looks& wanted) {
+        looks = wanted;
         for (std::size_t i = 0; i < variants.size(); ++i) {
             PrimitiveVariant variant = variants[i];
-            variant.inspect = inspect;
+            variant.inspect = looks.inspect;
+            variant.transparent = variant.transparent && !looks.opaque;
+            if (looks.solver != 0 && has_solvers(name(variant.type))) {
+                variant.solver = looks.solver;
+            }
+            scene.draws[i].transparent = variant.transparent;
             Result<GLuint> front = program_of(variant);
             if (!front) {
                 return front.error();
@@ -130,6 +144,10 @@ struct Renderer::State {
         return Done{};
     }
 };
+
+Picture picture_of(const GBuffer& buffer) {
+    return {buffer.size, buffer.ids, buffer.depth_m, buffer.normals};
+}
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -169,7 +187,7 @@ Status Renderer::load(const Packed& packed) {
         state_->variants.push_back(
             {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
     }
-    const Status chosen = state_->choose_programs(false);
+    const Status chosen = state_->choose_programs({});
     if (!chosen) {
         return chosen;
     }
@@ -195,8 +213,9 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     }
     const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
-    if (state_->inspects != options.inspect) {
-        const Status chosen = state_->choose_programs(options.inspect);
+    const Looks looks{options.solver, options.opaque, options.inspect};
+    if (state_->looks != looks) {
+        const Status chosen = state_->choose_programs(looks);
         if (!chosen) {
             return chosen;
         }
@@ -285,7 +304,7 @@ GBuffer Renderer::read() {
             empty ? std::numeric_limits<float>::infinity()
                   : static_cast<float>(depth_from_buffer(state_->view, static_cast<double>(depth)));
     }
-    if (state_->inspects) {
+    if (state_->looks.inspect) {
         read_inspection(state_->inspection, picture);
     }
     state_->collect_errors("read");

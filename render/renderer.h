@@ -3,7 +3,7 @@
 #pragma once
 
 #include "diagnostics/result.h"
-#include "scene/camera.h"
+#include "scene/compare.h"
 #include "scene/pack.h"
 
 #include <array>
@@ -25,8 +25,10 @@ struct RenderOptions {
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
     glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing
-    // Records what the rays cost, by programs of its own: the same picture, slower.
-    bool inspect = false;
+    // Draws what has a choice of solvers by this one, whatever it was packed for; 0: as it was.
+    int solver = 0;
+    bool opaque = false;   // translucent parts too: everything has an id and a depth
+    bool inspect = false;  // records what the rays cost: the same picture, slower
 };
 
 // What the last frame did; read back after it, outside of any timing.
@@ -52,6 +54,9 @@ struct GBuffer {
     std::vector<glm::vec4> ray_origins;     // the last ray, local to its part: origin, first
     std::vector<glm::vec4> ray_directions;  // direction, and t, or -1e18 where the ray missed
 };
+
+// What the oracle can judge of it; valid as long as the buffer is.
+Picture picture_of(const GBuffer& buffer);
 
 class Renderer {
 public:

@@ -128,7 +128,8 @@ Map error_map(const Reference& reference, const View& view, const Picture& pictu
     return map;
 }
 
-Map solver_map(const Scene& scene, const Picture& picture, int solver) {
+Map solver_map(const Scene& scene, const Picture& picture, int everywhere,
+               std::span<const int> of_materials) {
     Map map = empty_map(MapKind::solver, picture.size);
     for (std::size_t i = 0; i < solver_table().size(); ++i) {
         const std::string name(solver_table()[i].name);
@@ -140,7 +141,7 @@ Map solver_map(const Scene& scene, const Picture& picture, int solver) {
             continue;
         }
         const Part& part = scene.parts[picture.ids[i]];
-        const int id = solver_of(scene, part, solver);
+        const int id = solver_of(scene, part, everywhere, of_materials);
         const auto found = std::find_if(
             solver_table().begin(), solver_table().end(),
             [&](const SolverRow& row) { return row.id == id && has_solvers(name(part.type)); });

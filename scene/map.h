@@ -50,8 +50,9 @@ Map count_map(MapKind kind, PixelSize size, std::span<const std::uint16_t> count
 Map error_map(const Reference& reference, const View& view, const Picture& picture,
               const std::function<bool()>& stop = {});
 
-// The solver of the part that is seen; solver: what overrides the materials' (0: nothing does).
-Map solver_map(const Scene& scene, const Picture& picture, int solver);
+// The solver of the part that is seen, as solver_of() says.
+Map solver_map(const Scene& scene, const Picture& picture, int everywhere,
+               std::span<const int> of_materials = {});
 
 // Metres along the ray between two pictures of one view. Classes: only_first, only_second,
 // other_part.

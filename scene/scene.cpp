@@ -70,12 +70,17 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
     return all;
 }
 
-int solver_of(const Scene& scene, const Part& part, int everywhere) {
+int solver_of(const Scene& scene, const Part& part, int everywhere,
+              std::span<const int> of_materials) {
     if (everywhere != 0) {
         return everywhere;
     }
-    const int own =
-        part.material < scene.materials.size() ? scene.materials[part.material].solver : 0;
+    int own = 0;
+    if (part.material < of_materials.size()) {
+        own = of_materials[part.material];
+    } else if (part.material < scene.materials.size()) {
+        own = scene.materials[part.material].solver;
+    }
     return own != 0 ? own : solver_default;
 }
 
