@@ -144,8 +144,8 @@ Result<Checked> compare_views(const Scene& scene, const CheckArguments& argument
             return drawn.error();
         }
         const GBuffer picture = renderer.read();
-        compare(reference, make_view(camera, checked.size),
-                {picture.size, picture.ids, picture.depth_m, picture.normals}, checked.comparison);
+        compare(reference, make_view(camera, checked.size), picture_of(picture),
+                checked.comparison);
         checked.nan_pixels += picture.nan_pixels;
     }
     checked.comparison.views = static_cast<std::uint64_t>(arguments.views);

@@ -3,13 +3,11 @@
 
 #include "cli/picture.h"
 #include "cli/signals.h"
+#include "scene/compare.h"
+#include "scene/rows.h"
 
-#include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
-#include <vector>
 
 namespace quartic::cli {
 namespace {
@@ -18,8 +16,7 @@ constexpr glm::vec3 background{0.80f, 0.84f, 0.88f};  // linear
 constexpr double ambient = 0.15;
 
 GBuffer empty_picture(PixelSize size) {
-    const std::size_t count =
-        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t count = pixel_count(size);
     GBuffer picture;
     picture.size = size;
     picture.ids.assign(count, no_index);
@@ -58,25 +55,13 @@ void draw_pixel(const Scene& scene, const Reference& reference, const f64::Ray& 
 GBuffer draw_reference(const Scene& scene, const Reference& reference, const View& view,
                        glm::dvec2 jitter_px) {
     GBuffer picture = empty_picture(view.size);
-    std::atomic<int> next_row{0};
-    const auto draw_rows = [&] {
-        for (int y = next_row++; y < view.size.height && !is_interrupted(); y = next_row++) {
-            for (int x = 0; x < view.size.width; ++x) {
-                const f64::Ray ray = pixel_ray(view, x + 0.5 + jitter_px.x, y + 0.5 + jitter_px.y);
-                const auto pixel =
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(view.size.width) +
-                    static_cast<std::size_t>(x);
-                draw_pixel(scene, reference, ray, pixel, picture);
-            }
+    const auto draw_row = [&](int y) {
+        for (int x = 0; x < view.size.width; ++x) {
+            const f64::Ray ray = pixel_ray(view, x + 0.5 + jitter_px.x, y + 0.5 + jitter_px.y);
+            draw_pixel(scene, reference, ray, pixel_index(view.size, x, y), picture);
         }
     };
-    std::vector<std::thread> threads(std::max(1u, std::thread::hardware_concurrency()));
-    for (std::thread& thread : threads) {
-        thread = std::thread(draw_rows);
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
+    for_each_row(view.size.height, draw_row, is_interrupted);
     return picture;
 }
 

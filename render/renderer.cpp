@@ -5,6 +5,7 @@
 #include "render/frame.h"
 #include "render/program.h"
 #include "scene/gpu_layout.h"
+#include "solvers/solver_table.h"
 
 #include <glm/packing.hpp>
 
@@ -15,6 +16,7 @@ namespace quartic {
 namespace {
 
 constexpr std::size_t gl_errors_max = 16;
+constexpr std::size_t inspected_pixels_max = 0x7fffffff / sizeof(glm::vec4);  // to be read at once
 
 gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
     gpu::CameraBlock block{};
@@ -42,9 +44,36 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
     return block;
 }
 
+// What of the options the programs depend on.
+struct Looks {
+    int solver = 0;
+    bool opaque = false;
+    bool inspect = false;
+    bool operator==(const Looks&) const = default;
+};
+
 // A target's normal; its two halves are what GLSL calls snorm.
 glm::vec3 normal_from(std::uint32_t bits) {
     return gpu::Picture<float>().normal_from_octahedron(glm::unpackSnorm2x16(bits));
+}
+
+void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
+    const std::size_t pixels = picture.ids.size();
+    const auto bytes = static_cast<GLsizei>(sizeof(glm::vec4) * pixels);
+    picture.ray_origins.resize(pixels);
+    picture.ray_directions.resize(pixels);
+    glGetTextureImage(targets.ray_origins.name(), 0, GL_RGBA, GL_FLOAT, bytes,
+                      picture.ray_origins.data());
+    glGetTextureImage(targets.ray_directions.name(), 0, GL_RGBA, GL_FLOAT, bytes,
+                      picture.ray_directions.data());
+    std::vector<std::uint32_t> counts(pixels);
+    glGetTextureImage(targets.counts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      static_cast<GLsizei>(4 * pixels), counts.data());
+    constexpr std::uint32_t steps_mask = (1u << gpu::ray_shift) - 1;
+    for (const std::uint32_t count : counts) {
+        picture.steps.push_back(static_cast<std::uint16_t>(std::min(count & steps_mask, 0xffffu)));
+        picture.rays.push_back(static_cast<std::uint16_t>(count >> gpu::ray_shift));
+    }
 }
 
 }  // namespace
@@ -54,6 +83,9 @@ struct Renderer::State {
     FramePrograms programs;
     SceneBuffers scene;
     Targets targets;
+    InspectionTargets inspection;
+    std::vector<PrimitiveVariant> variants;  // of the scene's draws, as they were packed
+    Looks looks;                             // what the draws' programs are made for
     GlBuffer camera;
     View view{};
     Box3 box;  // of all parts
@@ -66,16 +98,17 @@ struct Renderer::State {
         }
     }
 
-    Result<GLuint> program_of(const Batch& batch, Pass pass) {
-        const auto key = std::tuple(static_cast<int>(batch.type), batch.solver, batch.hull_rings,
-                                    batch.transparent, static_cast<int>(pass));
+    Result<GLuint> program_of(PrimitiveVariant variant) {
+        variant.inspect = variant.inspect && casts_rays(variant);
+        const auto key =
+            std::tuple(static_cast<int>(variant.type), variant.solver, variant.hull_rings,
+                       variant.transparent, static_cast<int>(variant.pass), variant.inspect);
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
         }
-        Result<GlProgram> program = make_program(
-            program_text({batch.type, batch.solver, batch.hull_rings, batch.transparent, pass}),
-            std::string(name(batch.type)));
+        Result<GlProgram> program =
+            make_program(program_text(variant), std::string(name(variant.type)));
         if (!program) {
             return program.error();
         }
@@ -83,7 +116,38 @@ struct Renderer::State {
         scene.programs[key] = std::move(program).value();
         return made;
     }
+
+    // Gives every draw its programs; those that are new are compiled, and all are kept.
+    Status choose_programs(const Looks& wanted) {
+        looks = wanted;
+        for (std::size_t i = 0; i < variants.size(); ++i) {
+            PrimitiveVariant variant = variants[i];
+            variant.inspect = looks.inspect;
+            variant.transparent = variant.transparent && !looks.opaque;
+            if (looks.solver != 0 && has_solvers(name(variant.type))) {
+                variant.solver = looks.solver;
+            }
+            scene.draws[i].transparent = variant.transparent;
+            Result<GLuint> front = program_of(variant);
+            if (!front) {
+                return front.error();
+            }
+            scene.draws[i].front_program = front.value();
+            variant.pass = Pass::near;
+            Result<GLuint> near =
+                variant.type == ShapeType::mesh ? Result<GLuint>(0u) : program_of(variant);
+            if (!near) {
+                return near.error();
+            }
+            scene.draws[i].near_program = near.value();
+        }
+        return Done{};
+    }
 };
+
+Picture picture_of(const GBuffer& buffer) {
+    return {buffer.size, buffer.ids, buffer.depth_m, buffer.normals};
+}
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -118,20 +182,14 @@ Status Renderer::load(const Packed& packed) {
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
     state_->box = packed.box;
-    for (std::size_t i = 0; i < packed.batches.size(); ++i) {
-        const Batch& batch = packed.batches[i];
-        Result<GLuint> front = state_->program_of(batch, Pass::front);
-        if (!front) {
-            return front.error();
-        }
-        state_->scene.draws[i].front_program = front.value();
-        if (batch.type != ShapeType::mesh) {
-            Result<GLuint> near = state_->program_of(batch, Pass::near);
-            if (!near) {
-                return near.error();
-            }
-            state_->scene.draws[i].near_program = near.value();
-        }
+    state_->variants.clear();
+    for (const Batch& batch : packed.batches) {
+        state_->variants.push_back(
+            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
+    }
+    const Status chosen = state_->choose_programs({});
+    if (!chosen) {
+        return chosen;
     }
     if (glGetError() == GL_OUT_OF_MEMORY) {
         return Error{ErrorKind::no_opengl, "", "the scene does not fit into the GPU's memory"};
@@ -144,7 +202,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     if (size.width < 1 || size.height < 1 || size.width > 16384 || size.height > 16384) {
         return Error{ErrorKind::usage, "", "expected a picture of 1x1 to 16384x16384 pixels"};
     }
-    if (state_->targets.size.width != size.width || state_->targets.size.height != size.height) {
+    if (state_->targets.size != size) {
         state_->targets = make_targets(size);
     }
     state_->view = make_view(camera, size);
@@ -155,8 +213,28 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     }
     const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
+    const Looks looks{options.solver, options.opaque, options.inspect};
+    if (state_->looks != looks) {
+        const Status chosen = state_->choose_programs(looks);
+        if (!chosen) {
+            return chosen;
+        }
+    }
+    if (options.inspect) {
+        if (pixel_count(size) > inspected_pixels_max) {
+            return Error{ErrorKind::usage, "",
+                         "expected at most 134 million pixels where rays are inspected"};
+        }
+        if (state_->inspection.size != size) {
+            state_->inspection = make_inspection_targets(size);
+        }
+        begin_inspection(state_->inspection);
+    }
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
                options.transparent_background);
+    if (options.inspect) {
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    }
     state_->collect_errors("draw");
     return Done{};
 }
@@ -198,8 +276,7 @@ std::optional<double> Renderer::depth_at(int x, int y) {
 
 GBuffer Renderer::read() {
     const Targets& targets = state_->targets;
-    const auto pixels = static_cast<std::size_t>(targets.size.width) *
-                        static_cast<std::size_t>(targets.size.height);
+    const std::size_t pixels = pixel_count(targets.size);
     const auto bytes = static_cast<GLsizei>(4 * pixels);
     GBuffer picture;
     picture.size = targets.size;
@@ -226,6 +303,9 @@ GBuffer Renderer::read() {
         depth =
             empty ? std::numeric_limits<float>::infinity()
                   : static_cast<float>(depth_from_buffer(state_->view, static_cast<double>(depth)));
+    }
+    if (state_->looks.inspect) {
+        read_inspection(state_->inspection, picture);
     }
     state_->collect_errors("read");
     return picture;

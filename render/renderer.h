@@ -3,7 +3,7 @@
 #pragma once
 
 #include "diagnostics/result.h"
-#include "scene/camera.h"
+#include "scene/compare.h"
 #include "scene/pack.h"
 
 #include <array>
@@ -25,6 +25,10 @@ struct RenderOptions {
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
     glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing
+    // Draws what has a choice of solvers by this one, whatever it was packed for; 0: as it was.
+    int solver = 0;
+    bool opaque = false;   // translucent parts too: everything has an id and a depth
+    bool inspect = false;  // records what the rays cost: the same picture, slower
 };
 
 // What the last frame did; read back after it, outside of any timing.
@@ -42,7 +46,17 @@ struct GBuffer {
     std::vector<glm::vec3> normals;     // world, out of the solid
     std::vector<std::uint8_t> colours;  // RGBA, sRGB, straight alpha
     std::uint64_t nan_pixels = 0;       // not a number in any target
+
+    // Of draws that inspect, else empty. Rays are those that fragments solved, hits and misses,
+    // also of surfaces that a nearer one then hid; meshes and facets of polyhedra have none.
+    std::vector<std::uint16_t> steps;       // of the solvers, over all rays of the pixel
+    std::vector<std::uint16_t> rays;        // solved in the pixel
+    std::vector<glm::vec4> ray_origins;     // the last ray, local to its part: origin, first
+    std::vector<glm::vec4> ray_directions;  // direction, and t, or -1e18 where the ray missed
 };
+
+// What the oracle can judge of it; valid as long as the buffer is.
+Picture picture_of(const GBuffer& buffer);
 
 class Renderer {
 public:

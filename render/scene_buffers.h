@@ -52,8 +52,8 @@ struct SceneBuffers {
     std::uint32_t command_count = 0;
     std::uint32_t chunk_count = 0;
     std::uint64_t bytes = 0;
-    // (type, solver, hull rings, transparent, pass)
-    std::map<std::tuple<int, int, int, bool, int>, GlProgram> programs;
+    // (type, solver, hull rings, transparent, pass, inspect)
+    std::map<std::tuple<int, int, int, bool, int, bool>, GlProgram> programs;
 };
 
 SceneBuffers upload(const Packed& packed, const Proxies& proxies);

@@ -2,6 +2,7 @@
 #include "render/targets.h"
 
 #include "diagnostics/check.h"
+#include "scene/gpu_layout.h"
 
 #include <initializer_list>
 #include <vector>
@@ -43,6 +44,28 @@ Targets make_targets(PixelSize size) {
                                         targets.depth.name());
     targets.finished = make_framebuffer({targets.colours.name()}, 0);
     return targets;
+}
+
+InspectionTargets make_inspection_targets(PixelSize size) {
+    InspectionTargets targets;
+    targets.size = size;
+    targets.counts = make_texture(GL_R32UI, size.width, size.height);
+    targets.ray_origins = make_texture(GL_RGBA32F, size.width, size.height);
+    targets.ray_directions = make_texture(GL_RGBA32F, size.width, size.height);
+    return targets;
+}
+
+void begin_inspection(const InspectionTargets& targets) {
+    glClearTexImage(targets.counts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    for (const GlTexture* texture : {&targets.ray_origins, &targets.ray_directions}) {
+        glClearTexImage(texture->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
+    }
+    glBindImageTexture(gpu::image_counts, targets.counts.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                       GL_R32UI);
+    glBindImageTexture(gpu::image_ray_origins, targets.ray_origins.name(), 0, GL_FALSE, 0,
+                       GL_WRITE_ONLY, GL_RGBA32F);
+    glBindImageTexture(gpu::image_ray_directions, targets.ray_directions.name(), 0, GL_FALSE, 0,
+                       GL_WRITE_ONLY, GL_RGBA32F);
 }
 
 }  // namespace quartic

@@ -21,4 +21,16 @@ struct Targets {
 
 Targets make_targets(PixelSize size);
 
+// What a frame writes besides while its rays are inspected (shaders/inspect.glsl).
+struct InspectionTargets {
+    PixelSize size;
+    GlTexture counts;          // R32UI: rays and steps
+    GlTexture ray_origins;     // RGBA32F: origin, first
+    GlTexture ray_directions;  // RGBA32F: direction, t
+};
+
+InspectionTargets make_inspection_targets(PixelSize size);
+// Empties them and binds them for the next frame.
+void begin_inspection(const InspectionTargets& targets);
+
 }  // namespace quartic

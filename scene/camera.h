@@ -25,7 +25,17 @@ struct Camera {
 struct PixelSize {
     int width = 0;
     int height = 0;
+    bool operator==(const PixelSize&) const = default;
 };
+
+inline std::size_t pixel_count(PixelSize size) {
+    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+// Where a pixel stands in a picture's arrays.
+inline std::size_t pixel_index(PixelSize size, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+           static_cast<std::size_t>(x);
+}
 
 // A camera resolved for a picture: unit axes in the world, x right, y up, z backwards (out of the
 // picture).

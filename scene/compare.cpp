@@ -2,11 +2,11 @@
 // order of rows.
 #include "scene/compare.h"
 
+#include "scene/rows.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 namespace quartic {
 namespace {
@@ -47,15 +47,12 @@ bool is_equal_depth(const Reference& reference, const View& view, const f64::Ray
 void compare_row(const Reference& reference, const View& view, const Picture& picture, int y,
                  Comparison& into) {
     for (int x = 0; x < picture.size.width; ++x) {
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
-            static_cast<std::size_t>(x);
-        const f64::Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
-        const ReferenceHit truth = reference.trace(ray);
-        const std::uint32_t seen = picture.ids[at];
+        const std::size_t at = pixel_index(picture.size, x, y);
+        const Judged judged = judge(reference, view, picture, x, y);
+        const ReferenceHit& truth = judged.truth;
         into.hit_pixels += truth.part != no_index;
-        if (seen == truth.part) {
-            if (seen != no_index) {
+        if (judged.verdict == Verdict::nothing || judged.verdict == Verdict::agrees) {
+            if (judged.verdict == Verdict::agrees) {
                 const double cosine = glm::dot(glm::dvec3(picture.normals[at]), truth.normal);
                 const double sine =
                     glm::length(glm::cross(glm::dvec3(picture.normals[at]), truth.normal));
@@ -67,16 +64,13 @@ void compare_row(const Reference& reference, const View& view, const Picture& pi
             }
             continue;
         }
-        HardAndTie& kind = seen == no_index         ? into.missed
-                           : truth.part == no_index ? into.false_hits
-                                                    : into.wrong_id;
-        const bool both = seen != no_index && truth.part != no_index;
-        const bool tie = is_tie(reference, view, {x, y, seen}) ||
-                         (both && is_equal_depth(reference, view, ray, seen, truth.t));
-        (tie ? kind.tie : kind.hard) += 1;
-        if (!tie && into.wrong_pixels.size() < wrong_pixels_max) {
-            into.wrong_pixels.push_back(
-                {0, x, y, seen, truth.part, static_cast<double>(picture.depth_m[at]), truth.t});
+        HardAndTie& kind = judged.verdict == Verdict::missed      ? into.missed
+                           : judged.verdict == Verdict::false_hit ? into.false_hits
+                                                                  : into.wrong_id;
+        (judged.is_tie ? kind.tie : kind.hard) += 1;
+        if (!judged.is_tie && into.wrong_pixels.size() < wrong_pixels_max) {
+            into.wrong_pixels.push_back({0, x, y, picture.ids[at], truth.part,
+                                         static_cast<double>(picture.depth_m[at]), truth.t});
         }
     }
 }
@@ -88,23 +82,31 @@ void add(const HardAndTie& from, HardAndTie& into) {
 
 }  // namespace
 
+Judged judge(const Reference& reference, const View& view, const Picture& picture, int x, int y) {
+    const f64::Ray ray = pixel_ray(view, x + 0.5, y + 0.5);
+    const std::uint32_t seen = picture.ids[pixel_index(picture.size, x, y)];
+    Judged judged;
+    judged.truth = reference.trace(ray);
+    const std::uint32_t truth = judged.truth.part;
+    if (seen == truth) {
+        judged.verdict = seen == no_index ? Verdict::nothing : Verdict::agrees;
+        return judged;
+    }
+    judged.verdict = seen == no_index    ? Verdict::missed
+                     : truth == no_index ? Verdict::false_hit
+                                         : Verdict::wrong_part;
+    judged.is_tie = is_tie(reference, view, {x, y, seen}) ||
+                    (judged.verdict == Verdict::wrong_part &&
+                     is_equal_depth(reference, view, ray, seen, judged.truth.t));
+    return judged;
+}
+
 void compare(const Reference& reference, const View& view, const Picture& picture,
              Comparison& into) {
     std::vector<Comparison> rows(static_cast<std::size_t>(picture.size.height));
-    std::atomic<int> next{0};
-    const auto work = [&] {
-        for (int y = next++; y < picture.size.height; y = next++) {
-            compare_row(reference, view, picture, y, rows[static_cast<std::size_t>(y)]);
-        }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i) {
-        threads.emplace_back(work);
-    }
-    work();
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
+    for_each_row(picture.size.height, [&](int y) {
+        compare_row(reference, view, picture, y, rows[static_cast<std::size_t>(y)]);
+    });
     const std::uint64_t view_number = into.views++;
     for (const Comparison& row : rows) {
         into.hit_pixels += row.hit_pixels;

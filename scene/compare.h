@@ -3,6 +3,7 @@
 
 #include "scene/reference.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,15 @@ struct Comparison {
     std::vector<float> normal_errors_deg;
     std::vector<WrongPixel> wrong_pixels;  // the first ones
 };
+
+// What the reference says of one pixel.
+enum class Verdict : std::uint8_t { nothing, agrees, missed, false_hit, wrong_part };
+struct Judged {
+    Verdict verdict = Verdict::nothing;  // nothing: neither hits
+    bool is_tie = false;                 // of what is wrong
+    ReferenceHit truth;
+};
+Judged judge(const Reference& reference, const View& view, const Picture& picture, int x, int y);
 
 void compare(const Reference& reference, const View& view, const Picture& picture,
              Comparison& into);

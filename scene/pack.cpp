@@ -192,11 +192,9 @@ private:
             part.material < scene_.materials.size() ? &scene_.materials[part.material] : nullptr;
         const bool transparent =
             !options_.transparent_as_opaque && material != nullptr && material->colour.a < 1.0f;
-        int solver = options_.solver != 0  ? options_.solver
-                     : material != nullptr ? material->solver
-                                           : 0;
+        int solver = solver_of(scene_, part, options_.solver, options_.material_solvers);
         // Shapes without a choice share one program.
-        if (solver == 0 || !has_solvers(name(part.type))) {
+        if (!has_solvers(name(part.type))) {
             solver = solver_default;
         }
         const int rings = shape.hull_rings <= 4 ? shape.hull_rings : shape.hull_rings <= 7 ? 7 : 13;

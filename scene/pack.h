@@ -66,6 +66,7 @@ struct Packed {
 struct PackOptions {
     bool transparent_as_opaque = false;  // for checks: everything has an id and a depth
     int solver = 0;                      // overrides the materials' solvers; 0: does not
+    std::vector<int> material_solvers;   // stand for the materials' own, if not empty
 };
 
 Packed pack(const Scene& scene, const PackOptions& options = {});

@@ -98,7 +98,8 @@ struct Reference::State {
             hit = hit_mesh(ray, scene->meshes[part.shape]);
         } else {
             visit_shape(scene->shapes, part.type, part.shape, [&](const auto& shape) {
-                const f64::Hit found = f64().hit(shape, ray, part.open_ends, solver_of(part));
+                const int own = solver_of(*scene, part, solver);
+                const f64::Hit found = f64().hit(shape, ray, part.open_ends, own);
                 hit.t = found.found ? found.t : infinity;
                 hit.normal = found.normal;
             });
@@ -107,15 +108,6 @@ struct Reference::State {
             return {};
         }
         return {id, hit.t + shift, rotation * hit.normal};
-    }
-
-    int solver_of(const Part& part) const {
-        if (solver != 0) {
-            return solver;
-        }
-        const int own =
-            part.material < scene->materials.size() ? scene->materials[part.material].solver : 0;
-        return own != 0 ? own : solver_default;
     }
 
     static void box_callback(const RTCBoundsFunctionArguments* arguments) {

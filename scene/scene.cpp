@@ -1,6 +1,8 @@
 // Queries on the document: boxes and paths.
 #include "scene/scene.h"
 
+#include "solvers/solver_table.h"
+
 #include <algorithm>
 
 namespace quartic {
@@ -66,6 +68,20 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
         all.high = glm::max(all.high, box.high);
     }
     return all;
+}
+
+int solver_of(const Scene& scene, const Part& part, int everywhere,
+              std::span<const int> of_materials) {
+    if (everywhere != 0) {
+        return everywhere;
+    }
+    int own = 0;
+    if (part.material < of_materials.size()) {
+        own = of_materials[part.material];
+    } else if (part.material < scene.materials.size()) {
+        own = scene.materials[part.material].solver;
+    }
+    return own != 0 ? own : solver_default;
 }
 
 std::string path_of(const Scene& scene, std::uint32_t node) {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,11 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
 
 // The boxes of all visible parts.
 std::vector<Box3> part_boxes(const Scene& scene, const std::array<bool, layer_count>& layers);
+
+// The solver that a part is drawn with: the one for everything, or, where that is 0, its
+// material's, or the default. of_materials: what stands for the materials' own, if not empty.
+int solver_of(const Scene& scene, const Part& part, int everywhere,
+              std::span<const int> of_materials = {});
 
 // Joins names from the root: "/SITE/ZONE/PIPE-1".
 std::string path_of(const Scene& scene, std::uint32_t node);

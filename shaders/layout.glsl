@@ -117,4 +117,10 @@ const int binding_materials = 9;
 const int binding_decisions = 10;
 const int binding_table = 11;
 
+// What a frame that is inspected writes besides, in images of these units.
+const int image_counts = 0;  // r32ui: rays << ray_shift | steps of all rays of the pixel
+const int image_ray_origins = 1;
+const int image_ray_directions = 2;
+const uint ray_shift = 20u;
+
 const uint no_part = 0xffffffffu;

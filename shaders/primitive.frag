@@ -1,9 +1,13 @@
-// Solves one pixel of one part. Defines: THIS_SHAPE, THIS_SOLVER, [NEAR], [TRANSPARENT].
+// Solves one pixel of one part. Defines: THIS_SHAPE, THIS_SOLVER, [NEAR], [TRANSPARENT],
+// [INSPECT].
 #include "shaders/layout.glsl"
 #include "shaders/kernel.glsl"
 #include "shaders/camera.glsl"
 #include "shaders/ray_setup.glsl"
 #include "shaders/surface_out.glsl"
+#ifdef INSPECT
+#include "shaders/inspect.glsl"
+#endif
 
 struct Record {
     Placement placement;
@@ -24,8 +28,12 @@ layout(depth_less) out float gl_FragDepth;
 
 void main() {
     Placement placement = records[record_index].placement;
-    Hit found = hit(records[record_index].shape, ray_of(setup, gl_FragCoord.xy),
-                    int(placement.bits & open_ends_mask), THIS_SOLVER);
+    Ray ray = ray_of(setup, gl_FragCoord.xy);
+    Hit found = hit(records[record_index].shape, ray, int(placement.bits & open_ends_mask),
+                    THIS_SOLVER);
+#ifdef INSPECT
+    record_ray(ray, found);
+#endif
     if (!found.found) {
         discard;
     }

@@ -29,8 +29,11 @@ std::string defines_of(const PrimitiveVariant& variant) {
     }
     if (variant.pass == Pass::near) {
         defines += "#define NEAR\n";
-    } else if (is_polyhedron(variant.type)) {
+    }
+    if (!casts_rays(variant)) {
         defines += "#define FACETS\n";
+    } else if (variant.inspect) {
+        defines += "#define INSPECT\n";
     }
     defines += "#define THIS_SHAPE " + std::string(glsl_type(variant.type)) + "\n";
     defines += "#define THIS_SOLVER " + std::to_string(variant.solver) + "\n";
@@ -40,15 +43,20 @@ std::string defines_of(const PrimitiveVariant& variant) {
 
 }  // namespace
 
+bool casts_rays(const PrimitiveVariant& variant) {
+    return variant.type != ShapeType::mesh &&
+           !(variant.pass == Pass::front && is_polyhedron(variant.type));
+}
+
 ProgramText program_text(const PrimitiveVariant& variant) {
     const std::string defines = defines_of(variant);
     if (variant.type == ShapeType::mesh) {
         return {shader_source("shaders/mesh.vert", defines),
                 shader_source("shaders/mesh.frag", defines)};
     }
-    const bool facets = variant.pass == Pass::front && is_polyhedron(variant.type);
-    return {shader_source("shaders/primitive.vert", defines),
-            shader_source(facets ? "shaders/facet.frag" : "shaders/primitive.frag", defines)};
+    const std::string_view fragment =
+        casts_rays(variant) ? "shaders/primitive.frag" : "shaders/facet.frag";
+    return {shader_source("shaders/primitive.vert", defines), shader_source(fragment, defines)};
 }
 
 ProgramText resolve_text() {
@@ -65,10 +73,14 @@ std::array<NamedText, 3> cull_texts() {
 
 std::vector<NamedText> all_shader_texts() {
     std::vector<NamedText> texts;
-    const auto add = [&](const std::string& name, const PrimitiveVariant& variant) {
+    const auto add = [&](const std::string& name, PrimitiveVariant variant) {
         const ProgramText text = program_text(variant);
         texts.push_back({name + ".vert", text.vertex});
         texts.push_back({name + ".frag", text.fragment});
+        variant.inspect = casts_rays(variant);
+        if (variant.inspect) {
+            texts.push_back({name + "-inspect.frag", program_text(variant).fragment});
+        }
     };
     for (const bool transparent : {false, true}) {
         const std::string suffix = transparent ? "-transparent" : "";

@@ -22,6 +22,7 @@ struct PrimitiveVariant {
     int hull_rings = 2;
     bool transparent = false;
     Pass pass = Pass::front;
+    bool inspect = false;  // its rays are recorded (inspect.glsl)
 };
 
 struct ProgramText {
@@ -34,6 +35,9 @@ struct NamedText {
     std::string file_name;
     std::string text;
 };
+
+// Whether a variant's fragments solve rays: meshes and the facets of polyhedra do not.
+bool casts_rays(const PrimitiveVariant& variant);
 
 // A primitive's program, or, for type mesh, that of the meshes.
 ProgramText program_text(const PrimitiveVariant& variant);

@@ -44,11 +44,11 @@ void perform(App& app, Action action) {
         case Action::toggle_projection: flip_projection(app); break;
         case Action::toggle_edges:
             app.options.edges = !app.options.edges;
-            redraw(app);
+            redraw_picture(app);
             break;
         case Action::toggle_occlusion:
             app.options.occlusion = !app.options.occlusion;
-            redraw(app);
+            redraw_picture(app);
             break;
         case Action::open_file:
             app.browser.open(app.model ? app.model->path : std::string());

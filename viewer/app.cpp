@@ -70,7 +70,7 @@ void select(App& app, std::uint32_t part, std::uint32_t node) {
     app.selection = std::move(selection);
     app.options.selected = part;
     name_window(app);
-    redraw(app);
+    redraw_picture(app);
 }
 
 void measure_shown(App& app) {
@@ -83,7 +83,7 @@ void measure_shown(App& app) {
     app.shown_box = around(app.shown_boxes);
 }
 
-Status show_model(App& app, std::unique_ptr<Model> model) {
+Status show_model(App& app, std::shared_ptr<Model> model) {
     const Status uploaded = app.renderer.load(model->packed);
     if (!uploaded) {
         return uploaded;
@@ -93,6 +93,7 @@ Status show_model(App& app, std::unique_ptr<Model> model) {
     app.tree = TreeRows(app.model->scene, app.model->hierarchy);
     app.search = {};
     app.notice.clear();
+    begin_solvers(app);
     measure_shown(app);
     clear_selection(app);
     fit(app, app.shown_boxes, app.start_camera.empty() ? "fit" : app.start_camera);
@@ -107,7 +108,14 @@ void report_failure(App& app, const Error& error) {
 }  // namespace
 
 void redraw(App& app) {
+    ++app.maps.wanted;
+    app.maps.worker.cancel();
+    redraw_picture(app);
+}
+
+void redraw_picture(App& app) {
     app.picture.discard();
+    app.second_picture.discard();
 }
 
 void draw_sample(App& app) {
@@ -117,11 +125,19 @@ void draw_sample(App& app) {
     }
     const bool is_moving = app.drag && app.drag->moved;
     const bool is_slow = app.picture.draw_ms() * app.picture.reduction() > slow_ms;
-    const Status drawn =
-        app.picture.draw(app.renderer, app.camera, size, app.options, is_moving && is_slow ? 2 : 1);
-    if (!drawn) {
-        app.failure = drawn.error().message;
+    const int reduction = is_moving && is_slow ? 2 : 1;
+    RenderOptions options = app.options;
+    const auto draw = [&](Picture& picture, int solver) {
+        options.solver = solver;
+        const Status drawn = picture.draw(app.renderer, app.camera, size, options, reduction);
+        if (!drawn) {
+            app.failure = drawn.error().message;
+        }
+    };
+    if (is_split(app)) {
+        draw(app.second_picture, app.maps.choice.second);
     }
+    draw(app.picture, app.solver);
     app.counts = app.renderer.counts();
     if (!app.renderer.gl_errors().empty()) {
         app.notice = "The driver complained: " + app.renderer.gl_errors().front();
@@ -131,7 +147,7 @@ void draw_sample(App& app) {
 void open_model(App& app, std::vector<std::string> paths) {
     app.loading.reset();  // the one before is cancelled
     app.failure.clear();
-    app.loading = std::make_unique<Loading>(std::move(paths), app.solver);
+    app.loading = std::make_unique<Loading>(std::move(paths));
 }
 
 void cancel_loading(App& app) {
@@ -154,17 +170,6 @@ void receive_model(App& app) {
     if (!shown) {
         report_failure(app, shown.error());
     }
-}
-
-void change_solver(App& app, int solver) {
-    app.solver = solver;
-    if (app.model) {
-        const Status loaded = app.renderer.load(pack(app.model->scene, {.solver = solver}));
-        if (!loaded) {
-            report_failure(app, loaded.error());
-        }
-    }
-    redraw(app);
 }
 
 void change_layers(App& app) {
@@ -196,7 +201,7 @@ void clear_selection(App& app) {
     app.selection = {};
     app.options.selected = no_index;
     name_window(app);
-    redraw(app);
+    redraw_picture(app);
 }
 
 void move_camera(App& app, const Camera& camera, double interest_m) {

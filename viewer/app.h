@@ -6,6 +6,7 @@
 #include "scene/describe.h"
 #include "viewer/bindings.h"
 #include "viewer/file_browser.h"
+#include "viewer/map_view.h"
 #include "viewer/model.h"
 #include "viewer/picture.h"
 #include "viewer/window.h"
@@ -42,8 +43,9 @@ struct Drag {
     std::optional<Gesture> gesture;
     glm::dvec2 start{0.0};  // window
     glm::dvec2 last{0.0};
-    glm::dvec3 anchor{0.0};  // the point of the world that was under the cursor
-    bool moved = false;      // else it is still a click
+    glm::dvec3 anchor{0.0};   // the point of the world that was under the cursor
+    bool moved = false;       // else it is still a click
+    bool is_divider = false;  // of a split view, not the camera
 };
 
 struct Search {
@@ -66,11 +68,17 @@ struct App {
     Renderer renderer;
     RendererName renderer_is;
     Picture picture;
+    Picture second_picture;  // right of the divider
+    MapView maps{Window::wake};
 
-    std::unique_ptr<Model> model;
+    std::shared_ptr<Model> model;
     std::unique_ptr<Loading> loading;
-    std::string start_camera;  // for the first model
-    int solver = 0;
+    std::string start_camera;                     // for the first model
+    int solver = 0;                               // of everything; 0: the materials' own
+    std::vector<int> material_solvers;            // as chosen, for each material
+    std::vector<int> drawn_solvers;               // as the renderer has them
+    std::vector<std::uint32_t> solved_materials;  // of shapes with a choice of solvers
+    Worker<Packed> packing{Window::wake};
 
     Camera camera;
     RenderOptions options;
@@ -100,6 +108,11 @@ void cancel_loading(App& app);
 // Takes over what the loading thread has finished, if it has.
 void receive_model(App& app);
 void change_solver(App& app, int solver);
+// Packs the scene anew beside the window; until then the picture stays as it is.
+void change_material_solver(App& app, std::uint32_t material, int solver);
+void receive_packed(App& app);
+std::string solver_name(const App& app, int solver);
+void begin_solvers(App& app);  // of a model that was just opened
 void change_layers(App& app);
 
 void select_part(App& app, std::uint32_t part);
@@ -112,8 +125,10 @@ void move_camera(App& app, const Camera& camera, double interest_m);
 // Sees all of the boxes, from where the camera looks or as the name says.
 void fit(App& app, std::span<const Box3> boxes, std::string_view view_name = {});
 
-// Shown parts and settings changed: draw again.
+// Shown parts or solvers changed: draw again, pictures and maps.
 void redraw(App& app);
+// Only colours changed: maps stay.
+void redraw_picture(App& app);
 // One more sample of the picture, unless it is complete.
 void draw_sample(App& app);
 

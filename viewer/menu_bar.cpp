@@ -1,5 +1,4 @@
-// The menu bar: every action with its key, layers, solvers.
-#include "solvers/solver_table.h"
+// The menu bar: every action with its key, layers, solvers, maps.
 #include "viewer/panels.h"
 
 #include <imgui.h>
@@ -49,23 +48,6 @@ void show_layers_menu(App& app) {
     }
 }
 
-void show_solver_menu(App& app) {
-    if (ImGui::MenuItem("As the materials say", nullptr, app.solver == 0)) {
-        change_solver(app, 0);
-    }
-    ImGui::Separator();
-    for (const SolverRow& row : solver_table()) {
-        const std::string text = spoken(row.name);
-        if (ImGui::MenuItem(text.c_str(), nullptr, app.solver == row.id)) {
-            change_solver(app, row.id);
-        }
-        if (ImGui::IsItemHovered()) {
-            const std::string more = std::string(row.solves) + "; " + std::string(row.source);
-            ImGui::SetTooltip("%s", more.c_str());
-        }
-    }
-}
-
 }  // namespace
 
 void show_menu_bar(App& app) {
@@ -81,6 +63,7 @@ void show_menu_bar(App& app) {
         {"View", show_view_menu},
         {"Layers", show_layers_menu},
         {"Solver", show_solver_menu},
+        {"Maps", show_maps_menu},
         {"Help", [](App& of) { show_item(of, Action::toggle_help, of.panels.help); }}};
     for (const Menu& menu : menus) {
         if (ImGui::BeginMenu(menu.title)) {

@@ -40,11 +40,11 @@ struct Loading::Shared {
         step = next;
         wake();
     }
-    Result<std::unique_ptr<Model>> load(int solver);
-    void run(int solver);
+    Result<std::unique_ptr<Model>> load();
+    void run();
 };
 
-Result<std::unique_ptr<Model>> Loading::Shared::load(int solver) {
+Result<std::unique_ptr<Model>> Loading::Shared::load() {
     const auto start = std::chrono::steady_clock::now();
     Result<Scene> scene = load_scenes(paths, {}, progress);
     if (!scene) {
@@ -60,7 +60,7 @@ Result<std::unique_ptr<Model>> Loading::Shared::load(int solver) {
     if (!progress.cancelled()) {
         begin("packing");
         model->hierarchy = Hierarchy(model->scene);
-        model->packed = pack(model->scene, {.solver = solver});
+        model->packed = pack(model->scene);
     }
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
@@ -68,9 +68,9 @@ Result<std::unique_ptr<Model>> Loading::Shared::load(int solver) {
     return model;
 }
 
-void Loading::Shared::run(int solver) {
+void Loading::Shared::run() {
     try {
-        result = load(solver);
+        result = load();
     } catch (const std::exception& exception) {  // out of memory
         result =
             Error{ErrorKind::io, paths.front(), std::string("opening failed: ") + exception.what()};
@@ -79,9 +79,9 @@ void Loading::Shared::run(int solver) {
     wake();
 }
 
-Loading::Loading(std::vector<std::string> paths, int solver)
+Loading::Loading(std::vector<std::string> paths)
     : shared_(std::make_shared<Shared>(std::move(paths))) {
-    std::thread([shared = shared_, solver] { shared->run(solver); }).detach();
+    std::thread([shared = shared_] { shared->run(); }).detach();
 }
 
 Loading::~Loading() {

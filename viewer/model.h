@@ -23,7 +23,7 @@ struct Model {
 // a step that cannot be cancelled ends by itself, on its thread.
 class Loading {
 public:
-    Loading(std::vector<std::string> paths, int solver);
+    explicit Loading(std::vector<std::string> paths);
     Loading(const Loading&) = delete;
     Loading& operator=(const Loading&) = delete;
     ~Loading();

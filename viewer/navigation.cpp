@@ -85,13 +85,23 @@ void leave_text() {
     ImGui::GetIO().WantTextInput = false;
 }
 
+// Where the divider of a split view can be held.
+bool is_at_divider(const App& app, const glm::dvec2& at) {
+    const double place = app.view.low.x + app.maps.choice.divider * app.view.extent.x;
+    return is_split(app) && std::abs(at.x - place) < border * app.scale;
+}
+
 void press(App& app, const ButtonEvent& event) {
     if (app.drag || !is_over_model(app, event.at)) {
         return;
     }
+    if (event.button == 0 && is_at_divider(app, event.at)) {
+        app.drag = Drag{event.button, {}, event.at, event.at, {}, true, true};
+        return;
+    }
     const std::optional<Gesture> gesture = find_gesture(event.button, event.modifiers);
     const std::optional<double> depth = depth_under(app, event.at);
-    Drag drag{event.button, gesture, event.at, event.at, app.camera.target, false};
+    Drag drag{event.button, gesture, event.at, event.at, app.camera.target, false, false};
     if (depth) {
         drag.anchor = point_at(app.camera, app.view.size_px, view_px(app, event.at), *depth);
         app.camera = with_target_depth(app.camera, std::max(*depth, 1e-6 * extent_of(app)));
@@ -125,6 +135,11 @@ void zoom_at(App& app, const glm::dvec2& at, double depth_m, double factor) {
 
 void drag_on(App& app, const glm::dvec2& at) {
     Drag& drag = *app.drag;
+    if (drag.is_divider) {
+        const double place = (at.x - app.view.low.x) / std::max(app.view.extent.x, 1.0);
+        app.maps.choice.divider = std::clamp(place, 0.02, 0.98);
+        return;
+    }
     drag.moved = drag.moved || glm::distance(at, drag.start) > click_reach * app.scale;
     if (!drag.moved || !drag.gesture) {
         return;

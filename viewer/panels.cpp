@@ -116,6 +116,7 @@ void show_panels(App& app) {
             show_right(app, strip);
         }
     }
+    show_legends(app);
     show_help(app);
     show_loading(app);
     show_failure(app);

@@ -14,6 +14,10 @@ void show_status_bar(const App& app);
 void show_tree(App& app);                     // inside a window
 void show_properties(App& app);               // inside a window
 void show_import_report(const Model& model);  // inside a window
+void show_maps_menu(App& app);                // inside a menu
+void show_solver_menu(App& app);              // inside a menu
+void show_second_solver_menu(App& app);       // inside a menu
+void show_legends(const App& app);
 void show_help(App& app);
 void show_loading(App& app);
 void show_failure(App& app);

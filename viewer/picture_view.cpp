@@ -14,16 +14,65 @@ ImVec2 screen_point(const glm::dvec2& p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
+// Columns of the view, as parts of its width.
+struct Columns {
+    double from = 0.0;
+    double to = 1.0;
+};
+
+void show_texture(const App& app, ImDrawList& list, unsigned texture, const Columns& columns,
+                  int alpha) {
+    const glm::dvec2& low = app.view.low;
+    const glm::dvec2& extent = app.view.extent;
+    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)),
+                  screen_point({low.x + columns.from * extent.x, low.y}),
+                  screen_point({low.x + columns.to * extent.x, low.y + extent.y}),
+                  ImVec2(static_cast<float>(columns.from), 1.0f),
+                  ImVec2(static_cast<float>(columns.to), 0.0f), IM_COL32(255, 255, 255, alpha));
+}
+
 // Laid over one another with weights 1, 1/2, 1/3, ..., which make the mean of all.
-void show_samples(const App& app, ImDrawList& list) {
-    const ImVec2 low = screen_point(app.view.low);
-    const ImVec2 high = screen_point(app.view.low + app.view.extent);
-    for (int i = 0; i < app.picture.samples(); ++i) {
-        const auto texture = static_cast<std::uintptr_t>(app.picture.texture(i));
-        const int alpha = (255 + (i + 1) / 2) / (i + 1);
-        list.AddImage(reinterpret_cast<ImTextureID>(texture), low, high, ImVec2(0.0f, 1.0f),
-                      ImVec2(1.0f, 0.0f), IM_COL32(255, 255, 255, alpha));
+void show_samples(const App& app, ImDrawList& list, const Picture& picture,
+                  const Columns& columns) {
+    for (int i = 0; i < picture.samples(); ++i) {
+        show_texture(app, list, picture.texture(i), columns, (255 + (i + 1) / 2) / (i + 1));
     }
+}
+
+void show_half(const App& app, ImDrawList& list, bool is_second, const Columns& columns) {
+    if (is_map_shown(app)) {
+        const ShownMap& map = is_second ? app.maps.maps.back() : app.maps.maps.front();
+        show_texture(app, list, map.texture.name(), columns, 255);
+    } else {
+        show_samples(app, list, is_second ? app.second_picture : app.picture, columns);
+    }
+}
+
+// The line that parts the halves, with a grip in its middle.
+void show_divider(const App& app, ImDrawList& list) {
+    const double x = app.view.low.x + app.maps.choice.divider * app.view.extent.x;
+    const double middle = app.view.low.y + 0.5 * app.view.extent.y;
+    const double half = 14.0 * app.scale;
+    const auto width = static_cast<float>(1.5 * app.scale);
+    list.AddLine(screen_point({x + 1.0, app.view.low.y}),
+                 screen_point({x + 1.0, app.view.low.y + app.view.extent.y}),
+                 IM_COL32(255, 255, 255, 200), width);
+    list.AddLine(screen_point({x, app.view.low.y}),
+                 screen_point({x, app.view.low.y + app.view.extent.y}), IM_COL32(20, 20, 20, 255),
+                 width);
+    list.AddRectFilled(screen_point({x - 0.3 * half, middle - half}),
+                       screen_point({x + 0.3 * half, middle + half}), IM_COL32(20, 20, 20, 255),
+                       static_cast<float>(0.3 * half));
+}
+
+void show_halves(const App& app, ImDrawList& list) {
+    if (!is_split(app)) {
+        show_half(app, list, false, {0.0, 1.0});
+        return;
+    }
+    show_half(app, list, false, {0.0, app.maps.choice.divider});
+    show_half(app, list, true, {app.maps.choice.divider, 1.0});
+    show_divider(app, list);
 }
 
 // A line between two points of the world, cut where it would come behind the eye.
@@ -105,7 +154,7 @@ void show_picture(const App& app) {
     }
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect(screen_point(app.view.low), screen_point(app.view.low + app.view.extent));
-    show_samples(app, list);
+    show_halves(app, list);
     if (app.model) {
         if (app.selection.part == no_index && !app.selection.box.empty()) {
             show_box(app, list, app.selection.box);

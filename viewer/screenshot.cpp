@@ -41,11 +41,11 @@ void append_bytes(void* context, void* bytes, int count) {
 
 void write_screenshot(App& app) {
     app.screenshot_wanted = false;
-    const PixelSize size = app.picture.size_px();
+    const PixelSize size = is_map_shown(app) ? app.maps.size : app.picture.size_px();
     if (!app.model || size.width < 1) {
         return;
     }
-    const std::vector<std::uint8_t> rgba = app.picture.read();
+    const std::vector<std::uint8_t> rgba = seen_pixels(app);
     const int row_bytes = size.width * 4;
     const std::uint8_t* const top =
         rgba.data() + static_cast<std::ptrdiff_t>(row_bytes) * (size.height - 1);

@@ -74,6 +74,11 @@ double patience(const App& app, int frames_left) {
     return ImGui::GetIO().WantTextInput ? wait_typing_s : wait_idle_s;
 }
 
+// Whether what is seen will stay as it is.
+bool is_settled(const App& app) {
+    return !app.model || (app.picture.is_complete() && !is_map_awaited(app));
+}
+
 bool is_minimised(const App& app) {
     return app.window.framebuffer().width < 1 || app.window.framebuffer().height < 1;
 }
@@ -87,11 +92,13 @@ void run(App& app) {
         }
         take_events(app);
         receive_model(app);
+        receive_packed(app);
         if (is_minimised(app)) {
             continue;
         }
         draw_sample(app);
-        if (app.screenshot_wanted && (app.picture.is_complete() || !app.model)) {
+        advance_map(app);
+        if (app.screenshot_wanted && is_settled(app)) {
             write_screenshot(app);
         }
         look_under_cursor(app);

@@ -4,7 +4,6 @@
 
 #include "render/context.h"
 #include "render/renderer.h"
-#include "scene/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -69,10 +68,6 @@ private:
     static inline std::optional<HeadlessContext> context_;
     static inline std::optional<Renderer> renderer_;
 };
-
-inline Picture picture_of(const GBuffer& buffer) {
-    return {buffer.size, buffer.ids, buffer.depth_m, buffer.normals};
-}
 
 // Directions spread evenly over the sphere (Fibonacci's spiral).
 inline glm::dvec3 spread_direction(int index, int count) {
