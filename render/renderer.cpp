@@ -38,6 +38,10 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
         block.layer_mask |= options.layers[i] ? 1u << i : 0u;
     }
     block.cull_frustum = options.cull_frustum ? 1u : 0u;
+    block.height = static_cast<float>(2.0 * block.half_height * view.step);
+    block.near_from_focus = static_cast<float>(view.near_m - view.focus_m);
+    block.near_from_eye = static_cast<float>(view.near_m);
+    block.proxy = static_cast<std::uint32_t>(options.proxy);
     block.selected = options.selected;
     block.edges = options.edges ? 1u : 0u;
     block.occlusion = options.occlusion ? 1u : 0u;
@@ -100,9 +104,9 @@ struct Renderer::State {
 
     Result<GLuint> program_of(PrimitiveVariant variant) {
         variant.inspect = variant.inspect && casts_rays(variant);
-        const auto key =
-            std::tuple(static_cast<int>(variant.type), variant.solver, variant.hull_rings,
-                       variant.transparent, static_cast<int>(variant.pass), variant.inspect);
+        const auto key = std::tuple(static_cast<int>(variant.type), variant.solver, variant.form,
+                                    variant.hull_rings, variant.transparent,
+                                    static_cast<int>(variant.pass), variant.inspect);
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -120,6 +124,7 @@ struct Renderer::State {
     // Gives every draw its programs; those that are new are compiled, and all are kept.
     Status choose_programs(const Looks& wanted) {
         looks = wanted;
+        scene.has_translucent = false;
         for (std::size_t i = 0; i < variants.size(); ++i) {
             PrimitiveVariant variant = variants[i];
             variant.inspect = looks.inspect;
@@ -128,6 +133,7 @@ struct Renderer::State {
                 variant.solver = looks.solver;
             }
             scene.draws[i].transparent = variant.transparent;
+            scene.has_translucent = scene.has_translucent || variant.transparent;
             Result<GLuint> front = program_of(variant);
             if (!front) {
                 return front.error();
@@ -184,8 +190,8 @@ Status Renderer::load(const Packed& packed) {
     state_->box = packed.box;
     state_->variants.clear();
     for (const Batch& batch : packed.batches) {
-        state_->variants.push_back(
-            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
+        state_->variants.push_back({batch.type, batch.solver, batch.form, batch.hull_rings,
+                                    batch.transparent, Pass::front, false});
     }
     const Status chosen = state_->choose_programs({});
     if (!chosen) {
@@ -231,7 +237,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
         begin_inspection(state_->inspection);
     }
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
-               options.transparent_background);
+               {options.proxy, options.lighting, options.transparent_background});
     if (options.inspect) {
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     }

@@ -4,6 +4,7 @@
 
 #include "diagnostics/result.h"
 #include "scene/compare.h"
+#include "scene/gpu_layout.h"
 #include "scene/pack.h"
 
 #include <array>
@@ -15,6 +16,14 @@
 
 namespace quartic {
 
+// What is rasterised to start the rays of a part.
+enum class Proxy : std::uint32_t {
+    automatic = gpu::proxy_automatic,  // by apparent size
+    box = gpu::proxy_box,              // its own box, as de Toledo, Levy, Paul 2007 draw it
+    quad = gpu::proxy_quad,            // four edges in the picture that touch it
+    hull = gpu::proxy_hull,            // rings of eight corners around it
+};
+
 struct RenderOptions {
     std::array<bool, layer_count> layers{true, true, true, false};
     bool cull_frustum = true;
@@ -22,6 +31,8 @@ struct RenderOptions {
     double size_min_px = 0.3;  // parts that appear smaller are not drawn (cull_size)
     bool edges = true;
     bool occlusion = true;  // ambient occlusion
+    bool lighting = true;   // without it colours are left as they are: for benchmarks of rays
+    Proxy proxy = Proxy::automatic;
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
     glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing
