@@ -156,12 +156,14 @@ bool is_map_awaited(const App& app) {
     return app.model && app.maps.choice.kind.has_value() && !is_map_shown(app);
 }
 
-void advance_map(App& app) {
+bool advance_map(App& app) {
+    const std::uint64_t before = app.maps.shown;
     take_errors(app);
     if (is_map_awaited(app) && app.maps.begun != app.maps.wanted && !app.drag &&
         app.picture.is_complete()) {
         begin_map(app, *app.maps.choice.kind);
     }
+    return app.maps.shown != before;
 }
 
 std::vector<std::uint8_t> seen_pixels(const App& app) {

@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <cctype>
+
 namespace quartic::viewer {
 namespace {
 
@@ -18,7 +20,8 @@ void show_kind(App& app, const char* text, std::optional<MapKind> kind) {
 void show_maps_menu(App& app) {
     show_kind(app, "Picture", std::nullopt);
     for (const MapRow& row : map_table()) {
-        const std::string text = spoken(row.name);
+        std::string text = spoken(row.name);
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
         show_kind(app, text.c_str(), row.kind);
         if (ImGui::IsItemHovered()) {
             const std::string more(row.title);

@@ -97,7 +97,9 @@ void run(App& app) {
             continue;
         }
         draw_sample(app);
-        advance_map(app);
+        if (advance_map(app)) {
+            frames_left = frames_to_settle;
+        }
         if (app.screenshot_wanted && is_settled(app)) {
             write_screenshot(app);
         }
