@@ -66,6 +66,9 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
                       picture.ray_origins.data());
     glGetTextureImage(targets.ray_directions.name(), 0, GL_RGBA, GL_FLOAT, bytes,
                       picture.ray_directions.data());
+    picture.ray_pixels.resize(pixels);
+    glGetTextureImage(targets.ray_pixels.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(4 * pixels), picture.ray_pixels.data());
     std::vector<std::uint32_t> counts(pixels);
     glGetTextureImage(targets.counts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       static_cast<GLsizei>(4 * pixels), counts.data());

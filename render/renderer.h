@@ -53,6 +53,7 @@ struct GBuffer {
     std::vector<std::uint16_t> rays;        // solved in the pixel
     std::vector<glm::vec4> ray_origins;     // the last ray, local to its part: origin, first
     std::vector<glm::vec4> ray_directions;  // direction, and t, or -1e18 where the ray missed
+    std::vector<float> ray_pixels;          // Ray::pixel
 };
 
 // What the oracle can judge of it; valid as long as the buffer is.

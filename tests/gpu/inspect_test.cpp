@@ -11,7 +11,7 @@ namespace quartic {
 namespace {
 
 constexpr PixelSize picture_size{200, 150};
-constexpr int sturm_halvings = 18;  // solvers/sturm.glsl
+constexpr int sturm_halvings = 20;  // solvers/sturm.glsl
 
 class InspectTest : public GpuTest {
 protected:
@@ -116,7 +116,8 @@ TEST_F(InspectTest, a_recorded_ray_solved_in_cpp_has_the_recorded_root) {
         }
         const glm::vec4 origin = picture.ray_origins[i];
         const glm::vec4 direction = picture.ray_directions[i];
-        const f32::Ray ray{glm::vec3(origin), glm::vec3(direction), origin.w};
+        const f32::Ray ray{glm::vec3(origin), glm::vec3(direction), origin.w,
+                           picture.ray_pixels[i]};
         const f32::Hit found = f32().hit(torus, ray, 0, solver_default);
         const bool is_hit = picture.ids[i] != no_index;
         ++rays;
