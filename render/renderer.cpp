@@ -79,6 +79,40 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
     }
 }
 
+ProgramKey key_of(const PrimitiveVariant& variant) {
+    return {static_cast<int>(variant.type), variant.solver, variant.hull_rings, variant.transparent,
+            static_cast<int>(variant.pass), variant.inspect};
+}
+
+std::span<const Pass> passes_of(ShapeType type) {
+    static constexpr Pass passes[] = {Pass::front, Pass::near};
+    return std::span(passes).first(type == ShapeType::mesh ? 1 : 2);
+}
+
+std::vector<PrimitiveVariant> variants_of(const Packed& packed) {
+    std::vector<PrimitiveVariant> variants;
+    for (const Batch& batch : packed.batches) {
+        variants.push_back(
+            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
+    }
+    return variants;
+}
+
+Looks looks_of(const RenderOptions& options) {
+    return {options.solver, options.opaque, options.inspect};
+}
+
+// A batch's variant as the looks and the pass have it.
+PrimitiveVariant seen_as(PrimitiveVariant variant, const Looks& looks, Pass pass) {
+    variant.pass = pass;
+    variant.transparent = variant.transparent && !looks.opaque;
+    variant.inspect = looks.inspect && casts_rays(variant);
+    if (looks.solver != 0 && has_solvers(name(variant.type))) {
+        variant.solver = looks.solver;
+    }
+    return variant;
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -101,11 +135,8 @@ struct Renderer::State {
         }
     }
 
-    Result<GLuint> program_of(PrimitiveVariant variant) {
-        variant.inspect = variant.inspect && casts_rays(variant);
-        const auto key =
-            std::tuple(static_cast<int>(variant.type), variant.solver, variant.hull_rings,
-                       variant.transparent, static_cast<int>(variant.pass), variant.inspect);
+    Result<GLuint> program_of(const PrimitiveVariant& variant) {
+        const ProgramKey key = key_of(variant);
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -124,27 +155,32 @@ struct Renderer::State {
     Status choose_programs(const Looks& wanted) {
         looks = wanted;
         for (std::size_t i = 0; i < variants.size(); ++i) {
-            PrimitiveVariant variant = variants[i];
-            variant.inspect = looks.inspect;
-            variant.transparent = variant.transparent && !looks.opaque;
-            if (looks.solver != 0 && has_solvers(name(variant.type))) {
-                variant.solver = looks.solver;
+            DrawBatch& draw = scene.draws[i];
+            draw.transparent = variants[i].transparent && !looks.opaque;
+            for (const Pass pass : passes_of(variants[i].type)) {
+                const Result<GLuint> program = program_of(seen_as(variants[i], looks, pass));
+                if (!program) {
+                    return program.error();
+                }
+                (pass == Pass::front ? draw.front_program : draw.near_program) = program.value();
             }
-            scene.draws[i].transparent = variant.transparent;
-            Result<GLuint> front = program_of(variant);
-            if (!front) {
-                return front.error();
-            }
-            scene.draws[i].front_program = front.value();
-            variant.pass = Pass::near;
-            Result<GLuint> near =
-                variant.type == ShapeType::mesh ? Result<GLuint>(0u) : program_of(variant);
-            if (!near) {
-                return near.error();
-            }
-            scene.draws[i].near_program = near.value();
         }
         return Done{};
+    }
+
+    // Compiles the first program that is missing, and tells whether none is.
+    Result<bool> prepare(std::span<const PrimitiveVariant> packed, const Looks& wanted) {
+        for (const PrimitiveVariant& variant : packed) {
+            for (const Pass pass : passes_of(variant.type)) {
+                const PrimitiveVariant seen = seen_as(variant, wanted, pass);
+                if (scene.programs.contains(key_of(seen))) {
+                    continue;
+                }
+                const Result<GLuint> made = program_of(seen);
+                return made ? Result<bool>(false) : made.error();
+            }
+        }
+        return true;
     }
 };
 
@@ -185,11 +221,7 @@ Status Renderer::load(const Packed& packed) {
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
     state_->box = packed.box;
-    state_->variants.clear();
-    for (const Batch& batch : packed.batches) {
-        state_->variants.push_back(
-            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
-    }
+    state_->variants = variants_of(packed);
     const Status chosen = state_->choose_programs({});
     if (!chosen) {
         return chosen;
@@ -199,6 +231,14 @@ Status Renderer::load(const Packed& packed) {
     }
     state_->collect_errors("load");
     return Done{};
+}
+
+Result<bool> Renderer::prepare(const RenderOptions& options) {
+    return state_->prepare(state_->variants, looks_of(options));
+}
+
+Result<bool> Renderer::prepare(const Packed& packed, const RenderOptions& options) {
+    return state_->prepare(variants_of(packed), looks_of(options));
 }
 
 Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions& options) {
@@ -216,7 +256,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     }
     const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
-    const Looks looks{options.solver, options.opaque, options.inspect};
+    const Looks looks = looks_of(options);
     if (state_->looks != looks) {
         const Status chosen = state_->choose_programs(looks);
         if (!chosen) {

@@ -71,6 +71,11 @@ public:
     // Uploads a packed scene, replacing the one before, and compiles its (shape, solver) programs.
     Status load(const Packed& packed);
 
+    // Compiles at most one program that drawing like this needs, of the loaded scene or of one that
+    // is to be loaded, and tells whether all are there: for a window that must stay live.
+    Result<bool> prepare(const RenderOptions& options);
+    Result<bool> prepare(const Packed& packed, const RenderOptions& options);
+
     // Draws into the renderer's own targets of this size.
     Status draw(const Camera& camera, PixelSize size, const RenderOptions& options);
 

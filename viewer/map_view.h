@@ -49,6 +49,8 @@ struct MapView {
 bool is_split(const App& app);
 bool is_map_shown(const App& app);
 bool is_map_awaited(const App& app);
+// Whether it can go on at once: nothing moves, and no thread is at it.
+bool is_map_preparing(const App& app);
 
 // Begins the map if nothing moves any more, and takes over what is finished; tells whether a new
 // map is shown.

@@ -11,7 +11,7 @@ namespace {
 void show_kind(App& app, const char* text, std::optional<MapKind> kind) {
     if (ImGui::MenuItem(text, nullptr, app.maps.choice.kind == kind)) {
         app.maps.choice.kind = kind;
-        redraw(app);
+        redraw_map(app);
     }
 }
 
@@ -32,7 +32,8 @@ void show_maps_menu(App& app) {
     const bool can_split = app.maps.choice.kind != MapKind::difference;
     if (ImGui::MenuItem("A/B split", nullptr, is_split(app), can_split)) {
         app.maps.choice.is_split = !app.maps.choice.is_split;
-        redraw(app);
+        app.second_picture.discard();
+        redraw_map(app);
     }
     if (ImGui::BeginMenu("Second solver")) {
         show_second_solver_menu(app);
