@@ -70,6 +70,9 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
                       picture.ray_origins.data());
     glGetTextureImage(targets.ray_directions.name(), 0, GL_RGBA, GL_FLOAT, bytes,
                       picture.ray_directions.data());
+    picture.ray_pixels.resize(pixels);
+    glGetTextureImage(targets.ray_pixels.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(4 * pixels), picture.ray_pixels.data());
     std::vector<std::uint32_t> counts(pixels);
     glGetTextureImage(targets.counts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       static_cast<GLsizei>(4 * pixels), counts.data());
@@ -78,6 +81,40 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
         picture.steps.push_back(static_cast<std::uint16_t>(std::min(count & steps_mask, 0xffffu)));
         picture.rays.push_back(static_cast<std::uint16_t>(count >> gpu::ray_shift));
     }
+}
+
+ProgramKey key_of(const PrimitiveVariant& variant) {
+    return {static_cast<int>(variant.type), variant.solver, variant.hull_rings, variant.transparent,
+            static_cast<int>(variant.pass), variant.inspect};
+}
+
+std::span<const Pass> passes_of(ShapeType type) {
+    static constexpr Pass passes[] = {Pass::front, Pass::near};
+    return std::span(passes).first(type == ShapeType::mesh ? 1 : 2);
+}
+
+std::vector<PrimitiveVariant> variants_of(const Packed& packed) {
+    std::vector<PrimitiveVariant> variants;
+    for (const Batch& batch : packed.batches) {
+        variants.push_back(
+            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
+    }
+    return variants;
+}
+
+Looks looks_of(const RenderOptions& options) {
+    return {options.solver, options.opaque, options.inspect};
+}
+
+// A batch's variant as the looks and the pass have it.
+PrimitiveVariant seen_as(PrimitiveVariant variant, const Looks& looks, Pass pass) {
+    variant.pass = pass;
+    variant.transparent = variant.transparent && !looks.opaque;
+    variant.inspect = looks.inspect && casts_rays(variant);
+    if (looks.solver != 0 && has_solvers(name(variant.type))) {
+        variant.solver = looks.solver;
+    }
+    return variant;
 }
 
 }  // namespace
@@ -102,11 +139,16 @@ struct Renderer::State {
         }
     }
 
+<<<<<<< HEAD
     Result<GLuint> program_of(PrimitiveVariant variant) {
         variant.inspect = variant.inspect && casts_rays(variant);
         const auto key = std::tuple(static_cast<int>(variant.type), variant.solver, variant.form,
                                     variant.hull_rings, variant.transparent,
                                     static_cast<int>(variant.pass), variant.inspect);
+=======
+    Result<GLuint> program_of(const PrimitiveVariant& variant) {
+        const ProgramKey key = key_of(variant);
+>>>>>>> maps
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -126,12 +168,16 @@ struct Renderer::State {
         looks = wanted;
         scene.has_translucent = false;
         for (std::size_t i = 0; i < variants.size(); ++i) {
-            PrimitiveVariant variant = variants[i];
-            variant.inspect = looks.inspect;
-            variant.transparent = variant.transparent && !looks.opaque;
-            if (looks.solver != 0 && has_solvers(name(variant.type))) {
-                variant.solver = looks.solver;
+            DrawBatch& draw = scene.draws[i];
+            draw.transparent = variants[i].transparent && !looks.opaque;
+            for (const Pass pass : passes_of(variants[i].type)) {
+                const Result<GLuint> program = program_of(seen_as(variants[i], looks, pass));
+                if (!program) {
+                    return program.error();
+                }
+                (pass == Pass::front ? draw.front_program : draw.near_program) = program.value();
             }
+<<<<<<< HEAD
             scene.draws[i].transparent = variant.transparent;
             scene.has_translucent = scene.has_translucent || variant.transparent;
             Result<GLuint> front = program_of(variant);
@@ -146,8 +192,25 @@ struct Renderer::State {
                 return near.error();
             }
             scene.draws[i].near_program = near.value();
+=======
+>>>>>>> maps
         }
         return Done{};
+    }
+
+    // Compiles the first program that is missing, and tells whether none is.
+    Result<bool> prepare(std::span<const PrimitiveVariant> packed, const Looks& wanted) {
+        for (const PrimitiveVariant& variant : packed) {
+            for (const Pass pass : passes_of(variant.type)) {
+                const PrimitiveVariant seen = seen_as(variant, wanted, pass);
+                if (scene.programs.contains(key_of(seen))) {
+                    continue;
+                }
+                const Result<GLuint> made = program_of(seen);
+                return made ? Result<bool>(false) : made.error();
+            }
+        }
+        return true;
     }
 };
 
@@ -188,11 +251,15 @@ Status Renderer::load(const Packed& packed) {
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
     state_->box = packed.box;
+<<<<<<< HEAD
     state_->variants.clear();
     for (const Batch& batch : packed.batches) {
         state_->variants.push_back({batch.type, batch.solver, batch.form, batch.hull_rings,
                                     batch.transparent, Pass::front, false});
     }
+=======
+    state_->variants = variants_of(packed);
+>>>>>>> maps
     const Status chosen = state_->choose_programs({});
     if (!chosen) {
         return chosen;
@@ -202,6 +269,14 @@ Status Renderer::load(const Packed& packed) {
     }
     state_->collect_errors("load");
     return Done{};
+}
+
+Result<bool> Renderer::prepare(const RenderOptions& options) {
+    return state_->prepare(state_->variants, looks_of(options));
+}
+
+Result<bool> Renderer::prepare(const Packed& packed, const RenderOptions& options) {
+    return state_->prepare(variants_of(packed), looks_of(options));
 }
 
 Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions& options) {
@@ -219,7 +294,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     }
     const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
-    const Looks looks{options.solver, options.opaque, options.inspect};
+    const Looks looks = looks_of(options);
     if (state_->looks != looks) {
         const Status chosen = state_->choose_programs(looks);
         if (!chosen) {

@@ -64,6 +64,7 @@ struct GBuffer {
     std::vector<std::uint16_t> rays;        // solved in the pixel
     std::vector<glm::vec4> ray_origins;     // the last ray, local to its part: origin, first
     std::vector<glm::vec4> ray_directions;  // direction, and t, or -1e18 where the ray missed
+    std::vector<float> ray_pixels;          // Ray::pixel
 };
 
 // What the oracle can judge of it; valid as long as the buffer is.
@@ -80,6 +81,11 @@ public:
 
     // Uploads a packed scene, replacing the one before, and compiles its (shape, solver) programs.
     Status load(const Packed& packed);
+
+    // Compiles at most one program that drawing like this needs, of the loaded scene or of one that
+    // is to be loaded, and tells whether all are there: for a window that must stay live.
+    Result<bool> prepare(const RenderOptions& options);
+    Result<bool> prepare(const Packed& packed, const RenderOptions& options);
 
     // Draws into the renderer's own targets of this size.
     Status draw(const Camera& camera, PixelSize size, const RenderOptions& options);

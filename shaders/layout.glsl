@@ -134,6 +134,7 @@ const int binding_table = 11;
 const int image_counts = 0;  // r32ui: rays << ray_shift | steps of all rays of the pixel
 const int image_ray_origins = 1;
 const int image_ray_directions = 2;
+const int image_ray_pixels = 3;
 const uint ray_shift = 20u;
 
 const uint no_part = 0xffffffffu;
