@@ -1,6 +1,7 @@
 // The table of exporters.
 #include "exporters/save.h"
 
+#include "exporters/pov.h"
 #include "exporters/rvm.h"
 
 #include <algorithm>
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::array<std::string_view, 1> rvm_extensions{"rvm"};
 
+constexpr std::array<std::string_view, 1> pov_extensions{"pov"};
+
 constexpr Exporter exporters[] = {
     {"rvm", rvm_extensions, export_rvm},
+    {"pov", pov_extensions, export_pov},
 };
 
 std::string extension_of(std::string_view path) {
