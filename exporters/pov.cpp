@@ -2,12 +2,12 @@
 #include "exporters/pov.h"
 
 #include "primitives/tessellate.h"
+#include "scene/algebraic_surface.h"
 #include "scene/camera.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <span>
 #include <string>
@@ -180,15 +180,11 @@ void Export::write_surface(std::string_view word, std::span<const double> terms,
 }
 
 void Export::write(const f64::CubicSurface& shape, const Part& part) {
-    std::array<double, 20> terms;
-    std::memcpy(terms.data(), &shape, sizeof(terms));
-    write_surface("cubic", terms, shape.half_size, part);
+    write_surface("cubic", polynomial_of(shape).cubic_terms(), shape.half_size, part);
 }
 
 void Export::write(const f64::QuarticSurface& shape, const Part& part) {
-    std::array<double, 35> terms;
-    std::memcpy(terms.data(), &shape, sizeof(terms));
-    write_surface("quartic", terms, shape.half_size, part);
+    write_surface("quartic", polynomial_of(shape).terms(), shape.half_size, part);
 }
 
 template <class Vector>
@@ -239,7 +235,9 @@ void Export::write_part(const Part& part) {
 void Export::run() {
     write_header();
     for (const Part& part : scene_.parts) {
-        write_part(part);
+        if (part.layer != Layer::line) {
+            write_part(part);
+        }
     }
     write_view();
 }

@@ -1,13 +1,13 @@
 // Walks through the tree of objects, and places surfaces in cubes.
 #include "importers/pov_scene.h"
 
+#include "scene/algebraic_surface.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 namespace quartic {
@@ -55,23 +55,6 @@ bool is_bounded(const Box3& box) {
 Polynomial3 for_floats(const Polynomial3& polynomial) {
     const double largest = polynomial.largest_term();
     return largest > 1e6 || largest < 1e-6 ? (1.0 / largest) * polynomial : polynomial;
-}
-
-template <class Shape, std::size_t count>
-Shape shape_of(const std::array<double, count>& terms, double half_size) {
-    Shape shape{};
-    static_assert(sizeof(Shape) >= sizeof(terms));
-    std::memcpy(&shape, terms.data(), sizeof(terms));
-    shape.half_size = half_size;
-    return shape;
-}
-
-Added add_surface(Scene& scene, const Polynomial3& polynomial, double half_size, const Part& part) {
-    if (polynomial.degree() <= 3) {
-        return add_shape(scene, shape_of<f64::CubicSurface>(polynomial.cubic_terms(), half_size),
-                         part);
-    }
-    return add_shape(scene, shape_of<f64::QuarticSurface>(polynomial.terms(), half_size), part);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
-// Tessellates any shape through its point() alone: steps by sagitta, normals by differences.
+// Tessellates any shape that has faces through its point() alone: steps by sagitta, normals by
+// differences.
 #include "primitives/tessellate.h"
+
+#include "primitives/tessellate_implicit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,12 +197,20 @@ Triangles tessellate_faces(const Shape& shape, double sagitta, int open_ends) {
     return triangles;
 }
 
+template <class Shape>
+Triangles tessellate_zeros(const Shape& shape, double sagitta) {
+    return tessellate_implicit(
+        {[&](const glm::dvec3& p) { return f64().value(shape, p); },
+         [&](const glm::dvec3& p) { return f64().gradient(shape, p); }, shape.half_size},
+        sagitta);
+}
+
 }  // namespace
 
 #define SHAPE(id, Type, name)                                                     \
     Triangles tessellate(const f64::Type& shape, double sagitta, int open_ends) { \
         if constexpr (Implicit<f64::Type>) {                                      \
-            return {};                                                            \
+            return tessellate_zeros(shape, sagitta);                              \
         } else {                                                                  \
             return tessellate_faces(shape, sagitta, open_ends);                   \
         }                                                                         \

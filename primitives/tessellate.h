@@ -1,4 +1,4 @@
-// Any shape as triangles, face by face, from its point() alone.
+// Any shape as triangles: face by face from its point() alone, or from where its value() vanishes.
 #pragma once
 
 #include "primitives/shape.h"
