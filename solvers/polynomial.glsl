@@ -99,7 +99,10 @@ Roots2 inflections(Polynomial f) {
     }
     real half_b = real(1.5) * f.a3;
     real a = real(6) * f.a4;
-    return solve_quadratic(a, half_b, f.a2, max(real(0), half_b * half_b - a * f.a2));
+    real discriminant = half_b * half_b - a * f.a2;
+    // Without an inflection: a double root of 6 a4 t^2 + 3 a3 t + c.
+    real c = discriminant < real(0) ? half_b * half_b / a : f.a2;
+    return solve_quadratic(a, half_b, c, max(real(0), discriminant));
 }
 
 // Whether the bend is positive beyond both inflections (of a cubic: beyond the one at a finite
