@@ -244,6 +244,18 @@ void Export::run() {
 
 }  // namespace
 
+void remark_pov(const Scene& scene, Findings& findings) {
+    std::uint64_t count = 0;
+    for (const Part& part : scene.parts) {
+        count += part.type == ShapeType::dish || part.type == ShapeType::snout ||
+                 part.type == ShapeType::rectangular_torus || part.type == ShapeType::pyramid;
+    }
+    if (count > 0) {
+        findings.add(Severity::note, "POV-Ray",
+                     "dishes, snouts, rectangular tori and pyramids: written as triangles", count);
+    }
+}
+
 Status export_pov(const Scene& scene, Output& output) {
     Export(scene, output).run();
     return Done{};

@@ -13,4 +13,7 @@ namespace quartic {
 // or a thousandth of their size. A camera and a light make the file a picture.
 Status export_pov(const Scene& scene, Output& output);
 
+// Which shapes become triangles.
+void remark_pov(const Scene& scene, Findings& findings);
+
 }  // namespace quartic

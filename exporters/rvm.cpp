@@ -307,6 +307,20 @@ Status Export::run() {
 
 }  // namespace
 
+void remark_rvm(const Scene& scene, Findings& findings) {
+    const auto is_implicit = [](const Part& part) {
+        return std::ranges::any_of(shape_table(), [&](const ShapeRow& row) {
+            return row.type == part.type && row.implicit;
+        });
+    };
+    const auto count = std::ranges::count_if(scene.parts, is_implicit);
+    if (count > 0) {
+        findings.add(Severity::warning, "RVM",
+                     "RVM has no surfaces given by an equation: written as triangles",
+                     static_cast<std::uint64_t>(count));
+    }
+}
+
 Status export_rvm(const Scene& scene, Output& output) {
     return Export(scene, output).run();
 }

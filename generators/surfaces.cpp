@@ -11,7 +11,7 @@
 namespace quartic {
 namespace {
 
-constexpr double gap = 0.25;  // between cubes, of their edge
+constexpr double gap = 0.5;  // between cubes, of their edge
 
 // Hues by the golden ratio, which keeps neighbours apart.
 glm::vec4 colour_of(std::size_t index) {

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;
-constexpr double default_half_size = 5.0;
 constexpr int cubes_max = 27;
 
 glm::dvec3 vector_at(const std::vector<double>& numbers, std::size_t at) {
@@ -45,6 +44,21 @@ Box3 around(const glm::dmat4& map, const glm::dvec3& centre, double radius) {
 
 Box3 joined(const Box3& a, const Box3& b) {
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+// Of each coordinate, what the circles across the axis reach.
+Box3 around_cylinder(const glm::dmat4& map, const std::vector<double>& numbers) {
+    const glm::dvec3 from = vector_at(numbers, 0);
+    const glm::dvec3 to = vector_at(numbers, 3);
+    const glm::dvec3 axis = glm::normalize(to - from);
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(map));
+    glm::dvec3 reach(0.0);
+    for (int i = 0; i < 3; ++i) {
+        reach[i] = std::abs(numbers[6]) * glm::length(rows[i] - glm::dot(rows[i], axis) * axis);
+    }
+    const glm::dvec3 a(map * glm::dvec4(from, 1.0));
+    const glm::dvec3 b(map * glm::dvec4(to, 1.0));
+    return {glm::min(a, b) - reach, glm::max(a, b) + reach};
 }
 
 Box3 of_corners(const glm::dmat4& map, const glm::dvec3& a, const glm::dvec3& b) {
@@ -103,8 +117,7 @@ Limit limit_of(const PovObject& object, const glm::dmat4& map) {
         return {around(map, vector_at(n, 0), n[3]), round};
     }
     if (object.kind == PovKind::cylinder) {
-        return {joined(around(map, vector_at(n, 0), n[6]), around(map, vector_at(n, 3), n[6])),
-                round};
+        return {around_cylinder(map, n), round};
     }
     if (object.kind == PovKind::plane) {
         const Box3 side = of_plane(map, n);
@@ -152,17 +165,23 @@ PovDomain domain_of(std::span<const PovPlaced> limits, const glm::dmat3& axes) {
     return domain;
 }
 
-// Cubes are tried, each twice as large as the one before, until a grid finds points but none near
-// the cube's faces.
+// Grids in cubes, each twice as wide as the one before: a cell where the sign changes counts at the
+// finest grid that covers it. The surface is closed if none lies at the faces of the last cube.
 PovExtent extent_of(const Polynomial3& polynomial) {
     constexpr int steps = 24;
-    for (double half = 1.5; half < 50.0; half *= 2.0) {
+    constexpr double half_first = 1.5;
+    constexpr double half_last = 48.0;
+    Box3 box;
+    for (double half = half_first; half <= half_last; half *= 2.0) {
         const double step = 2.0 * half / steps;
-        Box3 box;
+        const double covered = half > half_first ? 0.5 * half : 0.0;
         const auto place = [&](int i) { return -half + step * (i + 0.493); };
         for (int i = 0; i < steps * steps * steps; ++i) {
             const glm::dvec3 at(place(i % steps), place(i / steps % steps),
                                 place(i / steps / steps));
+            if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) < covered) {
+                continue;
+            }
             const bool inside = polynomial.value(at) < 0.0;
             for (int axis = 0; axis < 3; ++axis) {
                 glm::dvec3 next = at;
@@ -172,12 +191,12 @@ PovExtent extent_of(const Polynomial3& polynomial) {
                 }
             }
         }
-        const glm::dvec3 reach = glm::max(-box.low, box.high);
-        if (!box.empty() && std::max({reach.x, reach.y, reach.z}) < half) {
-            return {box, true};
-        }
     }
-    return {{glm::dvec3(-default_half_size), glm::dvec3(default_half_size)}, false};
+    const glm::dvec3 reach = glm::max(-box.low, box.high);
+    if (!box.empty() && std::max({reach.x, reach.y, reach.z}) < half_last) {
+        return {box, true};
+    }
+    return {};
 }
 
 PovCubes cube_around(const Box3& box) {

@@ -29,8 +29,9 @@ glm::dmat3 orthonormal(const glm::dmat3& matrix);
 // A box around the real points of a surface, in its own coordinates; the default box if they go on
 // without end.
 struct PovExtent {
-    Box3 box;
+    Box3 box{glm::dvec3(-default_half_size), glm::dvec3(default_half_size)};
     bool closed = false;
+    static constexpr double default_half_size = 5.0;
 };
 PovExtent extent_of(const Polynomial3& polynomial);
 

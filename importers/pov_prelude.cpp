@@ -1,5 +1,6 @@
 // Names that scenes take from POV-Ray's include files (shapes.inc, shapesq.inc, colors.inc), in its
-// own language; the surfaces' equations are those of the manual's list of quartics.
+// own language; the surfaces' equations are those of the manual's list of quartics. Endless
+// cylinders get the length of the default limits.
 #include "importers/pov_reader.h"
 
 namespace quartic {
@@ -10,9 +11,9 @@ std::string_view pov_prelude() {
 #declare Cube = box { -1, 1 }
 #declare Sphere = sphere { 0, 1 }
 #declare UnitSphere = sphere { 0, 1 }
-#declare Cylinder_X = quadric { <0, 1, 1>, 0, 0, -1 }
-#declare Cylinder_Y = quadric { <1, 0, 1>, 0, 0, -1 }
-#declare Cylinder_Z = quadric { <1, 1, 0>, 0, 0, -1 }
+#declare Cylinder_X = cylinder { -5*x, 5*x, 1 open }
+#declare Cylinder_Y = cylinder { -5*y, 5*y, 1 open }
+#declare Cylinder_Z = cylinder { -5*z, 5*z, 1 open }
 #declare Disk_X = cylinder { -x, x, 1 }
 #declare Disk_Y = cylinder { -y, y, 1 }
 #declare Disk_Z = cylinder { -z, z, 1 }
@@ -29,7 +30,7 @@ std::string_view pov_prelude() {
   <0,0,0,0,0,0,0,0,0,2, 0,0,-3,0,0,0,0,-3,0,0, 0,0,0,0,0,1,0,0,0,0, 0,0,1,0,0> }
 #declare Helix = quartic {
   <0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,0,-0.1666,0,1,0, 0,0,0,0,0,0,0,0.5,0,-1, 0,0,0,0,0>
-  clipped_by { box { <-2, -2, 0>, <2, 2, 1.4142> } } }
+  clipped_by { cylinder { 0, 1.4142*z, 2 } } }
 #declare Lemniscate = quartic {
   <1,0,0,0,0,0,0,0,0,-1, 0,0,0,0,0,0,0,0,0,0, 0,0,0,0,0,1,0,0,0,0, 0,0,1,0,0> }
 #declare Monkey_Saddle = quartic {

@@ -149,23 +149,34 @@ PovDomain PovSceneBuilder::surface_domain(const PovObject& object, const Around&
     }
     std::vector<PovPlaced> limits = here.clips;
     limits.insert(limits.end(), here.bounds.begin(), here.bounds.end());
-    domain = domain_of(limits, own);
-    domain.remark = {};  // the box only has to be large enough
-    if (is_bounded(domain.box)) {
+    const PovExtent extent = extent_for(object.polynomial);
+    if (extent.closed || !is_bounded(domain_of(limits, own).box)) {
+        const auto around = std::make_shared<PovObject>();
+        around->kind = PovKind::box;
+        around->numbers = {extent.box.low.x,  extent.box.low.y,  extent.box.low.z,
+                           extent.box.high.x, extent.box.high.y, extent.box.high.z};
+        limits.push_back({around, here.matrix});
+        domain = domain_of(limits, own);
+        domain.remark = extent.closed ? std::string_view()
+                                      : "no limits: clipped by a cube of 10 units of its own";
         return domain;
     }
-    const PovExtent extent =
-        fits_left_ > 0 ? extent_of(object.polynomial) : extent_of(Polynomial3(1.0));
-    --fits_left_;
-    const auto around = std::make_shared<PovObject>();
-    around->kind = PovKind::box;
-    around->numbers = {extent.box.low.x,  extent.box.low.y,  extent.box.low.z,
-                       extent.box.high.x, extent.box.high.y, extent.box.high.z};
-    limits.push_back({around, here.matrix});
     domain = domain_of(limits, own);
-    domain.remark =
-        extent.closed ? std::string_view() : "no limits: clipped by a cube of 10 units of its own";
+    domain.remark = {};  // the box only has to be large enough
     return domain;
+}
+
+// Equal polynomials are looked at once, and not too many of them.
+PovExtent PovSceneBuilder::extent_for(const Polynomial3& polynomial) {
+    constexpr std::size_t most = 200;
+    const auto known = extents_.find(polynomial.terms());
+    if (known != extents_.end()) {
+        return known->second;
+    }
+    if (extents_.size() >= most) {
+        return {};
+    }
+    return extents_[polynomial.terms()] = extent_of(polynomial);
 }
 
 void PovSceneBuilder::algebraic(const PovObject& object, const Around& here) {

@@ -39,6 +39,7 @@ private:
     void draw(const PovObject& object, const Around& here);
     void algebraic(const PovObject& object, const Around& here);
     PovDomain surface_domain(const PovObject& object, const Around& here, bool& exact);
+    PovExtent extent_for(const Polynomial3& polynomial);
     void surface(const PovObject& object, const Around& here, const PovDomain& domain,
                  const PovCubes& cubes);
     Added place_round(const PovObject& object, const glm::dmat4& map, Part& part);
@@ -62,7 +63,7 @@ private:
 
     Scene& scene_;
     std::uint64_t visits_left_;
-    int fits_left_ = 500;  // of surfaces without limits
+    std::map<std::array<double, Polynomial3::term_count>, PovExtent> extents_;
     std::map<std::array<float, 4>, std::uint32_t> materials_;
     std::vector<Count> counts_;
 };
