@@ -13,7 +13,8 @@ namespace {
 
 constexpr int steps_first = 24;
 constexpr int root_steps_max = 60;
-constexpr double near_corner = 1e-9;  // of an edge: the vertex is the grid's
+constexpr double root_tolerance = 1e-13;  // of an edge
+constexpr double near_corner = 1e-9;      // of an edge: the vertex is the grid's
 
 // Corners of a cell are numbered by bits: 1 along x, 2 along y, 4 along z. Each tetrahedron goes
 // from corner 0 to 7 along the axes in one of their orders.
@@ -50,6 +51,7 @@ private:
     const ImplicitSurface& surface_;
     std::size_t steps_;
     std::vector<double> values_;
+    std::vector<double> slopes_;  // lengths of the gradients at the vertices
     // Vertices by the two grid points of their edge.
     struct PairHash {
         std::size_t operator()(const std::pair<std::size_t, std::size_t>& pair) const {
@@ -70,12 +72,20 @@ glm::dvec3 Marching::place(std::size_t point) const {
 void Marching::sample() {
     const std::size_t side = steps_ + 1;
     values_.resize(side * side * side);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-        values_[i] = surface_.value(place(i));
+    const glm::dvec3 along(2.0 * surface_.half_size, 0.0, 0.0);
+    for (std::size_t first = 0; first < values_.size(); first += side) {
+        const std::span<double> row = std::span(values_).subspan(first, side);
+        if (surface_.row) {
+            surface_.row(place(first), along, row);
+            continue;
+        }
+        for (std::size_t i = 0; i < side; ++i) {
+            row[i] = surface_.value(place(first + i));
+        }
     }
 }
 
-// The sign change on an edge, by false position in Illinois' form and halving by turns.
+// The sign change on an edge, by false position in Illinois' form (Dowell and Jarratt 1971).
 glm::dvec3 Marching::root_between(std::size_t a, std::size_t b, double& t) const {
     const glm::dvec3 from = place(a);
     const glm::dvec3 along = place(b) - from;
@@ -83,26 +93,24 @@ glm::dvec3 Marching::root_between(std::size_t a, std::size_t b, double& t) const
     double high = 1.0;
     double f_low = values_[a];
     double f_high = values_[b];
+    int side = 0;  // which end was moved last
     for (int i = 0; i < root_steps_max; ++i) {
+        // Now and then the middle: false position alone may creep along a double root.
         const double secant = low + (high - low) * (f_low / (f_low - f_high));
         const double before =
-            std::exchange(t, i % 3 == 2 ? 0.5 * (low + high) : std::clamp(secant, low, high));
-        if (i > 0 && std::abs(t - before) < 1e-14) {
+            std::exchange(t, i % 8 == 7 ? 0.5 * (low + high) : std::clamp(secant, low, high));
+        if (i > 0 && std::abs(t - before) < root_tolerance) {
             break;
         }
         const double f = surface_.value(from + t * along);
+        const bool at_low = (f < 0.0) == (values_[a] < 0.0);
+        (at_low ? low : high) = t;
+        (at_low ? f_low : f_high) = f;
         if (f == 0.0) {
             break;
         }
-        if ((f < 0.0) == (values_[a] < 0.0)) {
-            low = t;
-            f_low = f;
-            f_high *= 0.5;
-        } else {
-            high = t;
-            f_high = f;
-            f_low *= 0.5;
-        }
+        (at_low ? f_high : f_low) *= side == (at_low ? 1 : 2) ? 0.5 : 1.0;
+        side = at_low ? 1 : 2;
     }
     return from + t * along;
 }
@@ -211,31 +219,39 @@ void Marching::finish() {
     for (std::size_t i = 0; i < p.size(); ++i) {
         const glm::dvec3 gradient = surface_.gradient(p[i]);
         const double length = glm::length(gradient);
+        slopes_.push_back(length);
         const double area = glm::length(areas[i]);
         const glm::dvec3 otherwise = area > 0.0 ? areas[i] / area : glm::dvec3(0.0, 0.0, 1.0);
         triangles_.normals.push_back(length > 1e-12 ? gradient / length : otherwise);
     }
 }
 
-// How far the middles of triangles and edges lie from the surface, to first order (Taubin 1991),
-// and never more than a cell is wide.
+// How far the middles of triangles and of their longest edges lie from the surface, to first order
+// (Taubin 1991) with the corners' mean slope, and never more than a cell is wide.
 void Marching::measure() {
     const double cell = std::sqrt(3.0) * step();
-    const auto depart = [&](const glm::dvec3& at) {
+    const auto depart = [&](const glm::dvec3& at, double slope) {
         const double value = std::abs(surface_.value(at));
-        const double slope = glm::length(surface_.gradient(at)) / surface_.half_size;
         const double distance = value < cell * slope ? value / slope : (value > 0.0 ? cell : 0.0);
         triangles_.deviation = std::max(triangles_.deviation, distance);
     };
     const auto& p = triangles_.positions;
     for (std::size_t i = 0; i < triangles_.indices.size(); i += 3) {
-        const glm::dvec3& a = p[triangles_.indices[i]];
-        const glm::dvec3& b = p[triangles_.indices[i + 1]];
-        const glm::dvec3& c = p[triangles_.indices[i + 2]];
-        depart((a + b + c) / 3.0);
-        depart(0.5 * (a + b));
-        depart(0.5 * (b + c));
-        depart(0.5 * (c + a));
+        const std::uint32_t* const corner = &triangles_.indices[i];
+        glm::dvec3 middle(0.0);
+        double longest = -1.0;
+        double slope = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3& a = p[corner[k]];
+            const glm::dvec3& b = p[corner[(k + 1) % 3]];
+            if (glm::dot(b - a, b - a) > longest) {
+                longest = glm::dot(b - a, b - a);
+                middle = 0.5 * (a + b);
+            }
+            slope += slopes_[corner[k]] / (3.0 * surface_.half_size);
+        }
+        depart((p[corner[0]] + p[corner[1]] + p[corner[2]]) / 3.0, slope);
+        depart(middle, slope);
     }
 }
 
@@ -255,18 +271,23 @@ Triangles Marching::run() {
 
 }  // namespace
 
+// Departures go with the square of the step where the surface is smooth, with the step at
+// singular points: finer grids would hardly help there, and cost eight times as much.
 Triangles tessellate_implicit(const ImplicitSurface& surface, double sagitta) {
     CHECK(sagitta > 0.0);
     int steps = steps_first;
+    double before = -1.0;
     for (;;) {
         Triangles triangles = Marching(surface, steps).run();
-        if (triangles.deviation <= sagitta || steps >= implicit_steps_max) {
+        const bool singular = before >= 0.0 && triangles.deviation > before;
+        if (triangles.deviation <= sagitta || steps >= implicit_steps_max || singular) {
             return triangles;
         }
-        // Departures go with the square of the step where the surface is smooth.
         const double finer = 1.15 * std::sqrt(triangles.deviation / sagitta);
-        steps = std::min(implicit_steps_max,
-                         static_cast<int>(std::ceil(steps * std::clamp(finer, 1.3, 2.7))));
+        const int next = std::min(implicit_steps_max,
+                                  static_cast<int>(std::ceil(steps * std::clamp(finer, 1.3, 2.7))));
+        before = 2.0 * triangles.deviation * steps * steps / (next * next);
+        steps = next;
     }
 }
 

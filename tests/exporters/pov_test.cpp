@@ -72,7 +72,7 @@ Scene everything() {
 }
 
 // Rays from all sides at each part's box give the same hits.
-void expect_same_picture(const Scene& a, const Scene& b, double tolerance) {
+void expect_same_picture(const Scene& a, const Scene& b, double tolerance, double grazing) {
     const std::array<bool, layer_count> layers{true, true, true, true};
     const Reference first(a, layers);
     const Reference second(b, layers);
@@ -94,12 +94,14 @@ void expect_same_picture(const Scene& a, const Scene& b, double tolerance) {
             const ReferenceHit hit = first.trace(ray);
             const ReferenceHit again = second.trace(ray);
             hits += hit.part != no_index;
-            different += (hit.part != no_index) != (again.part != no_index) ||
-                         (hit.part != no_index && std::abs(hit.t - again.t) > tolerance);
+            different +=
+                (hit.part != no_index) != (again.part != no_index) ||
+                (hit.part != no_index &&
+                 std::abs(hit.t - again.t) * std::abs(glm::dot(hit.normal, out)) > tolerance);
         }
     }
     EXPECT_GT(hits, static_cast<int>(100 * a.parts.size()));
-    EXPECT_LE(different, hits / 500);  // rays that graze
+    EXPECT_LE(different, grazing * hits);
 }
 
 TEST(ExportPov, the_gallery_comes_back_with_the_same_coefficients) {
@@ -128,7 +130,7 @@ TEST(ExportPov, the_gallery_comes_back_with_the_same_coefficients) {
 
 TEST(ExportPov, the_gallery_comes_back_as_the_same_picture) {
     const Scene scene = gallery_scene();
-    expect_same_picture(scene, read_back(scene), 1e-9);
+    expect_same_picture(scene, read_back(scene), 1e-9, 0.002);
 }
 
 TEST(ExportPov, turned_surfaces_come_back_as_the_same_picture) {
@@ -138,7 +140,7 @@ TEST(ExportPov, turned_surfaces_come_back_as_the_same_picture) {
         scene.parts[i].placement.rotation =
             glm::angleAxis(turn, glm::normalize(glm::dvec3(1.0, 2.0, -0.5)));
     }
-    expect_same_picture(scene, read_back(scene), 1e-9);
+    expect_same_picture(scene, read_back(scene), 1e-9, 0.002);
 }
 
 TEST(ExportPov, exact_shapes_come_back_as_shapes_and_the_others_as_triangles) {
@@ -155,7 +157,7 @@ TEST(ExportPov, exact_shapes_come_back_as_shapes_and_the_others_as_triangles) {
     }
     EXPECT_EQ(read.findings.count(Severity::loss), 0u);
     EXPECT_EQ(read.findings.count(Severity::warning), 0u);
-    expect_same_picture(scene, read, 0.002);
+    expect_same_picture(scene, read, 0.002, 0.01);
 }
 
 TEST(ExportPov, arcs_come_back_to_double_precision) {
