@@ -1,6 +1,7 @@
 // The gallery of algebraic surfaces, set up in rows on a floor.
 #include "generators/gallery.h"
 #include "generators/kinds.h"
+#include "generators/random.h"
 #include "scene/algebraic_surface.h"
 
 #include <algorithm>
@@ -21,6 +22,16 @@ glm::vec4 colour_of(std::size_t index) {
         return static_cast<float>(0.06 + 0.62 * std::clamp(wave, 0.0, 1.0));
     };
     return {channel(0.0), channel(4.0), channel(2.0), 1.0f};
+}
+
+glm::dquat turned(std::uint64_t seed, std::uint64_t index) {
+    Random random(seed, index);
+    glm::dquat rotation;
+    do {
+        rotation = {random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0),
+                    random.between(-1.0, 1.0)};
+    } while (glm::length(rotation) > 1.0 || glm::length(rotation) < 0.1);
+    return glm::normalize(rotation);
 }
 
 std::string text_of(const glm::dvec3& v) {
@@ -56,7 +67,8 @@ void describe(Scene& scene, const GallerySurface& surface) {
 
 }  // namespace
 
-// The cube of each surface stands on the floor at z = 0; beyond the gallery's end it begins again.
+// The cube of each surface stands on the floor at z = 0. Beyond the gallery's end it begins again,
+// with its surfaces turned at random.
 Scene make_surfaces(const GenerateOptions& options) {
     Scene scene;
     scene.kinds = {"cubic", "quartic"};
@@ -84,6 +96,9 @@ Scene make_surfaces(const GenerateOptions& options) {
         part.material = static_cast<std::uint32_t>(index);
         part.kind = surface.degree == 3 ? 0 : 1;
         part.placement.position = centre;
+        if (round > 0) {
+            part.placement.rotation = turned(options.seed, i);
+        }
         const Added added = add_surface(scene, surface.polynomial, half_size, part);
         CHECK(added.drawn);
         ++scene.kind_counts[part.kind];

