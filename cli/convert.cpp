@@ -67,8 +67,8 @@ void add_convert(CLI::App& program, Run& run) {
     const auto arguments = std::make_shared<ConvertArguments>();
     CLI::App& verb = *program.add_subcommand("convert", "write a model in another format");
     verb.footer(
-        "Examples: quartic convert plant.rev -o plant.rvm\n"
-        "          quartic convert plant.rvm -o plant.pov");
+        "Example: quartic convert plant.rev -o plant.rvm\n"
+        "         quartic convert plant.rvm -o plant.pov");
     verb.add_option("IN", arguments->files, "the model; - is standard input")
         ->required()
         ->default_str("");

@@ -74,8 +74,8 @@ void add_generate(CLI::App& program, Run& run) {
     const auto arguments = std::make_shared<GenerateArguments>();
     CLI::App& verb = *program.add_subcommand("generate", "make a model with known truth");
     verb.footer(described_kinds() +
-                "\nExamples: quartic generate plant -o plant.rvm --seed 1 --offset 1000,2000,0\n"
-                "          quartic generate surfaces -o gallery.pov");
+                "\nExample: quartic generate plant -o plant.rvm --seed 1 --offset 1000,2000,0\n"
+                "         quartic generate surfaces -o gallery.pov");
     verb.add_option("KIND", arguments->kind, "what to make")
         ->required()
         ->default_str("")
