@@ -111,8 +111,8 @@ PrimitiveVariant seen_as(PrimitiveVariant variant, const Looks& looks, Pass pass
     variant.pass = pass;
     variant.transparent = variant.transparent && !looks.opaque;
     variant.inspect = looks.inspect && casts_rays(variant);
-    if (looks.solver != 0 && has_solvers(name(variant.type))) {
-        variant.solver = looks.solver;
+    if (looks.solver != 0) {
+        variant.solver = solver_for(name(variant.type), looks.solver);
     }
     return variant;
 }

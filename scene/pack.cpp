@@ -213,11 +213,7 @@ private:
             part.material < scene_.materials.size() ? &scene_.materials[part.material] : nullptr;
         const bool transparent =
             !options_.transparent_as_opaque && material != nullptr && material->colour.a < 1.0f;
-        int solver = solver_of(scene_, part, options_.solver, options_.material_solvers);
-        // Shapes without a choice share one program.
-        if (!has_solvers(name(part.type))) {
-            solver = solver_default;
-        }
+        const int solver = solver_of(scene_, part, options_.solver, options_.material_solvers);
         const int rings = shape.hull_rings;
         const auto key = std::tuple(part.type, solver, transparent, shape.form, rings);
         const auto known = batch_index_.find(key);

@@ -99,7 +99,7 @@ std::vector<NamedText> all_shader_texts() {
         add("mesh" + suffix, {.type = ShapeType::mesh, .transparent = transparent});
         for (const ShapeRow& shape : shape_table()) {
             for (const SolverRow& solver : solver_table()) {
-                if (solver.id != solver_default && !has_solvers(shape.name)) {
+                if (solver_for(shape.name, solver.id) != solver.id) {
                     continue;
                 }
                 const int forms = shape.prepared && !transparent ? 2 * arc_forms - 1 : 1;

@@ -14,10 +14,14 @@ struct SolverRow {
 };
 
 constexpr int solver_default = 1;
+constexpr int solver_none = -1;  // as in first_root.glsl: all but the solving, for benchmarks
 
 std::span<const SolverRow> solver_table();
 const SolverRow* find_solver(std::string_view name);
 // Whether any solver works on what bears this name: the others are drawn alike whatever is chosen.
 bool has_solvers(std::string_view name);
+// The solver chosen for what bears this name if it works on it, else the default. solver_none works
+// on all that have solvers.
+int solver_for(std::string_view name, int chosen);
 
 }  // namespace quartic
