@@ -163,7 +163,7 @@ void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram&
 }  // namespace
 
 void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
-                GLuint camera, bool transparent_background) {
+                GLuint camera, bool transparent_background, bool lighting) {
     glViewport(0, 0, targets.size.width, targets.size.height);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
@@ -178,7 +178,9 @@ void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePr
     clear(targets);
     draw_surfaces(scene, targets);
     draw_translucent(scene, targets);
-    resolve(scene, targets, programs.resolve, transparent_background);
+    if (lighting) {
+        resolve(scene, targets, programs.resolve, transparent_background);
+    }
 }
 
 }  // namespace quartic

@@ -16,6 +16,6 @@ struct FramePrograms {
 
 // Draws the scene into the targets, from the camera in the buffer (gpu::CameraBlock).
 void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
-                GLuint camera, bool transparent_background);
+                GLuint camera, bool transparent_background, bool lighting);
 
 }  // namespace quartic

@@ -38,6 +38,7 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
         block.layer_mask |= options.layers[i] ? 1u << i : 0u;
     }
     block.cull_frustum = options.cull_frustum ? 1u : 0u;
+    block.unused_0 = options.proxy == Proxy::box ? 1u : 0u;
     block.selected = options.selected;
     block.edges = options.edges ? 1u : 0u;
     block.occlusion = options.occlusion ? 1u : 0u;
@@ -231,7 +232,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
         begin_inspection(state_->inspection);
     }
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
-               options.transparent_background);
+               options.transparent_background, options.lighting);
     if (options.inspect) {
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     }

@@ -15,6 +15,8 @@
 
 namespace quartic {
 
+enum class Proxy { automatic, box, quad, hull };
+
 struct RenderOptions {
     std::array<bool, layer_count> layers{true, true, true, false};
     bool cull_frustum = true;
@@ -22,6 +24,8 @@ struct RenderOptions {
     double size_min_px = 0.3;  // parts that appear smaller are not drawn (cull_size)
     bool edges = true;
     bool occlusion = true;  // ambient occlusion
+    bool lighting = true;
+    Proxy proxy = Proxy::automatic;
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
     glm::dvec2 jitter_px{0.0};          // moves all rays by a part of a pixel, for antialiasing

@@ -83,7 +83,7 @@ uint column_of(uint locator, Seen seen) {
     float near_depth = float(camera.near_depth) + 0.001 * abs(float(camera.near_depth));
     if (seen.nearest_depth <= near_depth || (facets && camera.orthographic != 0)) {
         kind = command_near;
-    } else if (seen.size_px > hull_size_min_px && !facets) {
+    } else if (camera.unused_0 == 0u && seen.size_px > hull_size_min_px && !facets) {
         kind = command_hull;
     }
     return (locator >> locator_shift) * uint(commands_per_batch) + uint(kind);
