@@ -17,11 +17,11 @@ struct BenchSettings {
     std::vector<std::string> files;  // models; empty: what the benchmark makes by itself
     PixelSize size;                  // 0: the benchmark's own
     int rounds = 9;
-    int threads = 0;                   // of loading; 0: as many as the machine has
-    int copies = 1;                    // of RVM files, to make them big
-    int views = 3;                     // of models and surfaces
-    std::uint64_t count_max = 16384;   // of tori
-    bool software = false;             // Mesa's OpenGL, whatever the machine has
+    int threads = 0;                  // of loading; 0: as many as the machine has
+    int copies = 1;                   // of RVM files, to make them big
+    int views = 3;                    // of models and surfaces
+    std::uint64_t count_max = 16384;  // of tori
+    bool software = false;            // Mesa's OpenGL, whatever the machine has
     std::function<bool()> is_stopped = [] { return false; };
     std::function<void(const std::string&)> note = [](const std::string&) {};  // what goes on
 };

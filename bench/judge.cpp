@@ -118,8 +118,8 @@ LongRay Judge::ray_of(const GBuffer& picture, int x, int y) const {
 
 // The ray through a point so many pixels aside.
 LongRay Judge::moved(const LongRay& ray, double dx, double dy) const {
-    const LongVector aside = Long(view_.step) * (Long(dx) * LongVector(view_.right) +
-                                                 Long(dy) * LongVector(view_.up));
+    const LongVector aside =
+        Long(view_.step) * (Long(dx) * LongVector(view_.right) + Long(dy) * LongVector(view_.up));
     LongRay result = ray;
     if (view_.projection == Projection::orthographic) {
         result.origin += aside;
@@ -137,9 +137,9 @@ bool Judge::is_tie(const Answer& answer) const {
         const double angle = 2.0 * std::numbers::pi * i / tie_rays;
         const RealRoots truth = crossings_(moved(answer.ray, tie_distance_px * std::cos(angle),
                                                  tie_distance_px * std::sin(angle)));
-        if (truth.count == 0 ? !answer.found
-                             : answer.found && std::abs(truth.t[0] - answer.t) * speed <=
-                                                   far_apart_) {
+        if (truth.count == 0
+                ? !answer.found
+                : answer.found && std::abs(truth.t[0] - answer.t) * speed <= far_apart_) {
             return true;
         }
     }

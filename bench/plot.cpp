@@ -85,7 +85,7 @@ std::string marker(double x, double y, std::size_t series) {
     }
 }
 
-std::vector<double> values_of(const Plot& plot, double PlotPoint::* member) {
+std::vector<double> values_of(const Plot& plot, double PlotPoint::*member) {
     std::vector<double> values;
     for (const Series& series : plot.series) {
         for (const PlotPoint& point : series.points) {
@@ -182,8 +182,7 @@ std::string legend(const Plot& plot, double y) {
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const double x = 24.0 + (width - 48.0) / columns * static_cast<double>(i % columns);
         const double line = y + legend_line * static_cast<double>(i / columns);
-        svg += marker(x, line - 4.0, i) +
-               text_at(x + 10.0, line, plot.series[i].name, "");
+        svg += marker(x, line - 4.0, i) + text_at(x + 10.0, line, plot.series[i].name, "");
     }
     return svg;
 }
@@ -225,13 +224,14 @@ std::string as_svg(const Plot& plot) {
     const double height = plot_bottom + legend_line * (legend_rows + 0.5);
     const Area area{has_bars ? 24.0 + label_width(plot) : 84.0, width - right_margin, top,
                     plot_bottom - bottom_margin};
-    std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "
-                      "xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" +
-                      number(width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " +
-                      number(width) + " " + number(height) +
-                      "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\">\n<title>" +
-                      escaped(plot.title) + "</title>\n<desc>" + escaped(plot.caption) +
-                      "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    std::string svg =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "
+        "xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" +
+        number(width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(width) +
+        " " + number(height) +
+        "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\">\n<title>" +
+        escaped(plot.title) + "</title>\n<desc>" + escaped(plot.caption) +
+        "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
     svg += text_at(24.0, 28.0, plot.title, "font-size=\"18\"");
     svg += text_at(24.0, 48.0, plot.caption, "fill=\"#555555\"");
     svg += has_bars ? bars(plot, area) : lines(plot, area);

@@ -13,8 +13,9 @@ public:
     PlotScale(const std::vector<double>& values, bool logarithmic);
 
     bool shows(double value) const;
-    double part(double value) const;    // 0 at the low end, 1 at the high end
-    std::vector<double> ticks() const;  // 1, 2, 5 times powers of ten; only powers of ten where long
+    double part(double value) const;  // 0 at the low end, 1 at the high end
+    std::vector<double> ticks()
+        const;  // 1, 2, 5 times powers of ten; only powers of ten where long
 
 private:
     double low_ = 0.0;

@@ -173,12 +173,11 @@ std::string as_text(const Conditions& conditions) {
 ordered_json as_json(const Report& report) {
     const Conditions& conditions = report.conditions;
     const bool drawn = !conditions.renderer.empty();
-    ordered_json document{
-        {"bench", report.bench},
-        {"renderer", drawn ? ordered_json(conditions.renderer) : ordered_json()},
-        {"software", drawn ? ordered_json(conditions.software) : ordered_json()},
-        {"clock", "wall"},
-        {"rounds", conditions.rounds}};
+    ordered_json document{{"bench", report.bench},
+                          {"renderer", drawn ? ordered_json(conditions.renderer) : ordered_json()},
+                          {"software", drawn ? ordered_json(conditions.software) : ordered_json()},
+                          {"clock", "wall"},
+                          {"rounds", conditions.rounds}};
     if (drawn) {
         document["size"] = {conditions.size.width, conditions.size.height};
     }

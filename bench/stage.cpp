@@ -43,8 +43,8 @@ Status Stage::show(const Packed* packed) {
     return renderer_.load(*packed);
 }
 
-Result<std::vector<Rounds>> Stage::time(std::span<const FrameCase> frames,
-                                        const BenchSettings& how, double batch_s) {
+Result<std::vector<Rounds>> Stage::time(std::span<const FrameCase> frames, const BenchSettings& how,
+                                        double batch_s) {
     std::vector<TimedCase> cases;
     for (const FrameCase& frame : frames) {
         const auto draw = [this, &frame] {
