@@ -5,7 +5,6 @@
 #include "solvers/solver_table.h"
 
 #include <cmath>
-#include <deque>
 #include <optional>
 
 namespace quartic {
@@ -44,17 +43,14 @@ std::vector<Method> make_methods() {
 Status measure(Stage& stage, std::vector<Method>& methods, std::uint64_t count, PixelSize size,
                const BenchSettings& settings, ordered_json& rows) {
     std::vector<FrameCase> frames;
-    std::deque<Packed> records;
     std::vector<Method*> drawn;
     for (Method& method : methods) {
         if (method.stopped) {
             continue;
         }
-        PackOptions options;
-        options.solver = method.solver;
-        records.push_back(pack(ring_grid_scene(count, method.sides), options));
         FrameCase& frame = frames.emplace_back();
-        frame = {method.name, &records.back(), ring_grid_camera(count), size, bench_options()};
+        frame = {method.name, pack_for(ring_grid_scene(count, method.sides), method.solver),
+                 ring_grid_camera(count), size, bench_options()};
         frame.options.proxy = method.proxy == "box" ? Proxy::box : Proxy::automatic;
         drawn.push_back(&method);
     }

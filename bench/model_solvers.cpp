@@ -16,7 +16,7 @@ constexpr std::array<bool, layer_count> all_layers{true, true, true, true};
 
 struct Method {
     std::string name;
-    Packed packed;
+    std::shared_ptr<const Packed> packed;
     Comparison comparison;
     std::uint64_t nan_pixels = 0;
     bool is_compared = true;
@@ -30,10 +30,8 @@ std::vector<Method> make_methods(const Scene& scene) {
     };
     std::vector<Method> methods;
     const auto add = [&](std::string_view title, int solver) {
-        PackOptions options;
-        options.transparent_as_opaque = true;
-        options.solver = solver;
-        methods.push_back({std::string(title), pack(scene, options), {}, 0, solver != solver_none});
+        methods.push_back(
+            {std::string(title), pack_for(scene, solver), {}, 0, solver != solver_none});
     };
     for (const SolverRow& row : solver_table()) {
         if (row.id == solver_default || concerns(row)) {
@@ -129,7 +127,7 @@ Status measure_model(Stage& stage, const std::string& path, PixelSize size,
     std::vector<FrameCase> frames;
     for (const Camera& camera : cameras) {
         for (const Method& method : methods) {
-            frames.push_back({method.name, &method.packed, camera, size, bench_options()});
+            frames.push_back({method.name, method.packed, camera, size, bench_options()});
         }
     }
     const Status compared = compare_all(stage, scene, frames, methods, settings);

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cmath>
-#include <deque>
 #include <numbers>
 
 namespace quartic {
@@ -27,7 +26,7 @@ struct Method {
     std::string proxy;  // "box", "automatic", or empty for polygons
     int solver = 0;     // 0: a polygon
     int sides = 0;
-    Packed packed;
+    std::shared_ptr<const Packed> packed;
     std::array<Rounds, angle_count> rounds;
     std::array<Judgement, angle_count> judged;
     std::uint64_t gpu_bytes = 0;
@@ -35,15 +34,13 @@ struct Method {
     bool is_judged() const { return sides == 0 && solver != solver_none; }
 };
 
-using Methods = std::deque<Method>;  // frames point at their records
+using Methods = std::vector<Method>;
 
 Methods make_methods() {
     Methods methods;
     const Scene ring = ring_scene();
     const auto add_solver = [&](const std::string& name, int solver, const std::string& proxy) {
-        PackOptions options;
-        options.solver = solver;
-        methods.push_back({name, proxy, solver, 0, pack(ring, options), {}, {}, 0});
+        methods.push_back({name, proxy, solver, 0, pack_for(ring, solver), {}, {}, 0});
     };
     for (const SolverRow& row : solver_table()) {
         if (solves(row, "torus")) {
@@ -58,7 +55,7 @@ Methods make_methods() {
                            "",
                            0,
                            sides,
-                           pack(polygon_ring_scene(sides)),
+                           pack_for(polygon_ring_scene(sides), 0),
                            {},
                            {},
                            0});
@@ -69,7 +66,7 @@ Methods make_methods() {
 FrameCase frame_of(const Method& method, std::size_t angle, PixelSize size) {
     FrameCase frame;
     frame.name = method.name;
-    frame.packed = &method.packed;
+    frame.packed = method.packed;
     frame.camera = ring_camera(paper_angles_deg[angle]);
     frame.size = size;
     frame.options = bench_options();
@@ -95,7 +92,7 @@ Status time_all(Stage& stage, Methods& methods, PixelSize size, const BenchSetti
 }
 
 Status judge_all(Stage& stage, Methods& methods, PixelSize size, const BenchSettings& settings) {
-    const f32::Torus ring{0.7f, 0.3f, 7.0f, 0.0f};
+    const f32::Torus ring{0.7f, 0.3f, 6.2831855f, 0.0f};
     for (std::size_t angle = 0; angle < angle_count; ++angle) {
         settings.note("judging at " + std::to_string(paper_angles_deg[angle]) + " degrees");
         Judge judge(crossings_of(ring), make_view(ring_camera(paper_angles_deg[angle]), size),

@@ -6,11 +6,12 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <numbers>
 
 namespace quartic {
 
 // The ring of de Toledo, Levy, Paul 2007, section 5: both radii sum to 1.
-constexpr f64::Torus test_ring{0.7, 0.3, 7.0, 0.0};  // 7 rad: more than a full turn
+constexpr f64::Torus test_ring{0.7, 0.3, 2.0 * std::numbers::pi, 0.0};
 
 // One ring at the origin, around z.
 Scene ring_scene();

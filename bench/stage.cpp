@@ -15,6 +15,13 @@ RenderOptions bench_options() {
     return options;
 }
 
+std::shared_ptr<const Packed> pack_for(const Scene& scene, int solver) {
+    PackOptions options;
+    options.transparent_as_opaque = true;
+    options.solver = solver;
+    return std::make_shared<const Packed>(pack(scene, options));
+}
+
 Stage::Stage(HeadlessContext context, Renderer renderer)
     : context_(std::move(context)), renderer_(std::move(renderer)), name_(renderer_name()) {}
 
@@ -35,7 +42,7 @@ Conditions Stage::conditions(PixelSize size, int rounds) const {
     return {name_.renderer, name_.software, size, rounds};
 }
 
-Status Stage::show(const Packed* packed) {
+Status Stage::show(const std::shared_ptr<const Packed>& packed) {
     if (packed == shown_) {
         return Done{};
     }

@@ -7,6 +7,7 @@
 #include "render/context.h"
 #include "render/renderer.h"
 
+#include <memory>
 #include <span>
 #include <string>
 
@@ -15,7 +16,7 @@ namespace quartic {
 // A frame to be timed. Frames that show the same scene share its records.
 struct FrameCase {
     std::string name;
-    const Packed* packed = nullptr;
+    std::shared_ptr<const Packed> packed;
     Camera camera;
     PixelSize size;
     RenderOptions options;
@@ -24,6 +25,9 @@ struct FrameCase {
 // Everything is drawn into ids, normals and depths, however small, and not lit: that pass costs
 // every method the same.
 RenderOptions bench_options();
+
+// Records with every part drawn by this solver; 0: by the default one.
+std::shared_ptr<const Packed> pack_for(const Scene& scene, int solver);
 
 class Stage {
 public:
@@ -46,12 +50,12 @@ public:
 
 private:
     Stage(HeadlessContext context, Renderer renderer);
-    Status show(const Packed* packed);
+    Status show(const std::shared_ptr<const Packed>& packed);
 
     HeadlessContext context_;
     Renderer renderer_;
     RendererName name_;
-    const Packed* shown_ = nullptr;
+    std::shared_ptr<const Packed> shown_;  // held: another at its place would look like it
 };
 
 }  // namespace quartic

@@ -68,6 +68,8 @@ double pixel_size(double zoom, PixelSize size) {
     return 2.0 * std::tan(0.5 * fov) * eye_distance / (zoom * size.height);
 }
 
+using Records = std::vector<std::shared_ptr<const Packed>>;
+
 class SurfaceBench {
 public:
     SurfaceBench(Stage& stage, const BenchSettings& settings, PixelSize size,
@@ -76,11 +78,9 @@ public:
 
     Status measure(const GallerySurface& surface) {
         const Scene scene = surface_scene(surface.polynomial);
-        std::vector<Packed> records;
+        Records records;
         for (const Method& method : methods_) {
-            PackOptions options;
-            options.solver = method.solver;
-            records.push_back(pack(scene, options));
+            records.push_back(pack_for(scene, method.solver));
         }
         for (const double zoom : zooms) {
             if (zoom > 1.0 && surface.singular_points.empty()) {
@@ -105,11 +105,11 @@ public:
     const ordered_json& rows() const { return rows_; }
 
 private:
-    Status measure(const GallerySurface& surface, double zoom, const std::vector<Packed>& records) {
+    Status measure(const GallerySurface& surface, double zoom, const Records& records) {
         std::vector<FrameCase> frames;
         for (int view = 0; view < settings_.views; ++view) {
             for (std::size_t i = 0; i < methods_.size(); ++i) {
-                frames.push_back({methods_[i].name, &records[i],
+                frames.push_back({methods_[i].name, records[i],
                                   camera_of(surface, zoom, view, settings_.views), size_,
                                   bench_options()});
             }
