@@ -10,6 +10,10 @@ constexpr BenchRow rows[] = {
      bench_one_torus},
     {"many-tori", "frame rate over the number of tori, rays and polygons (the paper's figure 6)",
      bench_many_tori},
+    {"cubics", "every solver on famous cubic surfaces, zooming in on singular points",
+     bench_cubics},
+    {"quartics", "every solver on famous quartic surfaces, zooming in on singular points",
+     bench_quartics},
     {"solvers", "every solver on models of yours: time, and wrong pixels", bench_solvers},
 };
 

@@ -78,26 +78,6 @@ Status measure(Stage& stage, std::vector<Method>& methods, std::uint64_t count, 
     return Done{};
 }
 
-// Where one method becomes faster than another for good, between two counts by a straight line in
-// logarithms; nothing if it never does. A series that ended early lost there.
-std::optional<double> crossover(const Method& method, const Method& other) {
-    std::optional<double> found;
-    const std::size_t count = std::min(method.counts.size(), other.counts.size());
-    double before = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double lead = std::log(other.frame_s[i] / method.frame_s[i]);  // > 0: faster
-        if (lead <= 0.0) {
-            found.reset();
-        } else if (!found) {
-            const double part = i == 0 ? 0.0 : lead / (lead - before);
-            const double left = i == 0 ? method.counts[0] : method.counts[i - 1];
-            found = method.counts[i] * std::pow(left / method.counts[i], part);
-        }
-        before = lead;
-    }
-    return found;
-}
-
 Table crossover_table(const std::vector<Method>& methods) {
     Table table;
     table.key = "crossovers";
@@ -106,7 +86,7 @@ Table crossover_table(const std::vector<Method>& methods) {
     for (const Method& method : methods) {
         for (const Method& polygon : methods) {
             if (method.sides == 0 && polygon.sides > 0) {
-                const std::optional<double> count = crossover(method, polygon);
+                const std::optional<double> count = crossover(method.counts, method.frame_s, polygon.frame_s);
                 table.rows.push_back({{"method", method.name},
                                       {"than", polygon.name},
                                       {"count", count ? ordered_json(*count) : ordered_json()}});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace quartic {
@@ -112,6 +113,31 @@ Scene ring_grid_scene(std::uint64_t count, int sides) {
         scene.parts.push_back(part);
     }
     return scene;
+}
+
+Scene surface_scene(const Polynomial3& polynomial) {
+    Scene scene = empty_scene();
+    if (polynomial.degree() <= 3) {
+        f64::CubicSurface surface{};
+        const std::array<double, 20> terms = polynomial.cubic_terms();
+        std::memcpy(&surface, terms.data(), sizeof(terms));
+        surface.half_size = 1.0;
+        add_part(scene, surface, Part());
+    } else {
+        f64::QuarticSurface surface{};
+        const auto& terms = polynomial.terms();
+        std::memcpy(&surface, terms.data(), sizeof(terms));
+        surface.half_size = 1.0;
+        add_part(scene, surface, Part());
+    }
+    return scene;
+}
+
+std::array<float, 35> float_terms(const Polynomial3& polynomial) {
+    std::array<float, 35> terms{};
+    std::transform(polynomial.terms().begin(), polynomial.terms().end(), terms.begin(),
+                   [](double term) { return static_cast<float>(term); });
+    return terms;
 }
 
 Camera ring_grid_camera(std::uint64_t count) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "scene/camera.h"
+#include "scene/polynomial3.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <numbers>
 
@@ -25,6 +27,12 @@ Scene ring_grid_scene(std::uint64_t count, int sides);
 
 // Looks along -z at that grid so that its front just fills the picture.
 Camera ring_grid_camera(std::uint64_t count);
+
+// The zero set of a cubic or quartic in the cube [-1, 1]^3, unmoved.
+Scene surface_scene(const Polynomial3& polynomial);
+
+// Its coefficients as the GPU has them.
+std::array<float, 35> float_terms(const Polynomial3& polynomial);
 
 // The camera of the paper's table 1: fov 30 degrees, 5.579 away; at 0 degrees it looks along the
 // axis, at 90 from the side.

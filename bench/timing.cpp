@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace quartic {
 namespace {
@@ -81,6 +82,24 @@ double median_ratio(const Rounds& base, const Rounds& timed, const Rounds& base_
         }
     }
     return median(ratios);
+}
+
+std::optional<double> crossover(const std::vector<double>& counts, const std::vector<double>& times,
+                                const std::vector<double>& other_times) {
+    std::optional<double> found;
+    double before = 0.0;
+    for (std::size_t i = 0; i < std::min(times.size(), other_times.size()); ++i) {
+        const double lead = std::log(other_times[i] / times[i]);  // > 0: faster
+        if (lead <= 0.0) {
+            found.reset();
+        } else if (!found) {
+            const double part = i == 0 ? 0.0 : lead / (lead - before);
+            const double left = i == 0 ? counts[0] : counts[i - 1];
+            found = counts[i] * std::pow(left / counts[i], part);
+        }
+        before = lead;
+    }
+    return found;
 }
 
 }  // namespace quartic

@@ -4,6 +4,7 @@
 #include "diagnostics/result.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,5 +45,10 @@ Rounds sum_of(std::span<const Rounds> cases);
 // is left.
 double median_ratio(const Rounds& base, const Rounds& timed, const Rounds& base_less = {},
                     const Rounds& timed_less = {});
+
+// From which count on one series of times stays below another: between two counts by a straight line
+// in logarithms; nothing if it does not. Of series that end early, the counts that both have count.
+std::optional<double> crossover(const std::vector<double>& counts, const std::vector<double>& times,
+                                const std::vector<double>& other_times);
 
 }  // namespace quartic
