@@ -86,7 +86,8 @@ Table crossover_table(const std::vector<Method>& methods) {
     for (const Method& method : methods) {
         for (const Method& polygon : methods) {
             if (method.sides == 0 && polygon.sides > 0) {
-                const std::optional<double> count = crossover(method.counts, method.frame_s, polygon.frame_s);
+                const std::optional<double> count =
+                    crossover(method.counts, method.frame_s, polygon.frame_s);
                 table.rows.push_back({{"method", method.name},
                                       {"than", polygon.name},
                                       {"count", count ? ordered_json(*count) : ordered_json()}});

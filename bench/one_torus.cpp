@@ -92,11 +92,11 @@ Status time_all(Stage& stage, Methods& methods, PixelSize size, const BenchSetti
 }
 
 Status judge_all(Stage& stage, Methods& methods, PixelSize size, const BenchSettings& settings) {
-    const f32::Torus ring{0.7f, 0.3f, 6.2831855f, 0.0f};
     for (std::size_t angle = 0; angle < angle_count; ++angle) {
         settings.note("judging at " + std::to_string(paper_angles_deg[angle]) + " degrees");
-        Judge judge(crossings_of(ring), make_view(ring_camera(paper_angles_deg[angle]), size),
-                    test_ring.radius, lobe_radii * test_ring.radius);
+        Judge judge(crossings_of(float_ring()),
+                    make_view(ring_camera(paper_angles_deg[angle]), size), test_ring.radius,
+                    lobe_radii * test_ring.radius);
         for (Method& method : methods) {
             if (settings.is_stopped()) {
                 return Error{ErrorKind::interrupted, "", "interrupted"};

@@ -84,6 +84,11 @@ Scene empty_scene() {
 
 }  // namespace
 
+f32::Torus float_ring() {
+    return {static_cast<float>(test_ring.bend_radius), static_cast<float>(test_ring.radius),
+            static_cast<float>(test_ring.arc), 0.0f};
+}
+
 Scene ring_scene() {
     Scene scene = empty_scene();
     add_part(scene, test_ring, Part());

@@ -15,6 +15,9 @@ namespace quartic {
 // The ring of de Toledo, Levy, Paul 2007, section 5: both radii sum to 1.
 constexpr f64::Torus test_ring{0.7, 0.3, 2.0 * std::numbers::pi, 0.0};
 
+// As the GPU has it.
+f32::Torus float_ring();
+
 // One ring at the origin, around z.
 Scene ring_scene();
 

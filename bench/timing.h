@@ -46,8 +46,9 @@ Rounds sum_of(std::span<const Rounds> cases);
 double median_ratio(const Rounds& base, const Rounds& timed, const Rounds& base_less = {},
                     const Rounds& timed_less = {});
 
-// From which count on one series of times stays below another: between two counts by a straight line
-// in logarithms; nothing if it does not. Of series that end early, the counts that both have count.
+// From which count on one series of times stays below another: between two counts by a straight
+// line in logarithms; nothing if it does not. Of series that end early, the counts that both have
+// count.
 std::optional<double> crossover(const std::vector<double>& counts, const std::vector<double>& times,
                                 const std::vector<double>& other_times);
 

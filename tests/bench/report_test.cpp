@@ -64,8 +64,9 @@ TEST(Report, json_of_what_draws_nothing_has_no_renderer) {
 
 TEST(Report, markdown_says_the_conditions_and_escapes_bars) {
     const std::string text = as_markdown(report());
-    EXPECT_TRUE(text.starts_with("# one-thing\n\na renderer (software), 64x48, wall clock, median "
-                                 "of 3 rounds\n"))
+    EXPECT_TRUE(
+        text.starts_with("# one-thing\n\na renderer (software), 64x48, wall clock, median "
+                         "of 3 rounds\n"))
         << text;
     EXPECT_NE(text.find("| method | x |\n|---|--:|\n| a, \"b\" |  |\n| c\\|d | 0.1235 |\n"),
               std::string::npos)

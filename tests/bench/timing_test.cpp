@@ -82,9 +82,10 @@ TEST(Timing, stops_where_it_is_told_to) {
 }
 
 TEST(Timing, failure_of_a_run_is_passed_on) {
-    const TimedCase cases[] = {
-        {"a", [] { return Status(Done{}); },
-         [] { return Status(Error{ErrorKind::no_opengl, "", "lost"}); }}};
+    const TimedCase cases[] = {{"a", [] { return Status(Done{}); },
+                                [] {
+                                    return Status(Error{ErrorKind::no_opengl, "", "lost"});
+                                }}};
     const auto timed = time_interleaved(cases, {});
     ASSERT_FALSE(timed);
     EXPECT_EQ(timed.error().message, "lost");
