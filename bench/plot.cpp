@@ -136,8 +136,10 @@ std::string lines(const Plot& plot, const Area& area) {
                 markers += marker(x, y, i);
             }
         }
+        // Gaps, so that a line below shows where two lie on each other.
+        const std::string gaps = i < 4 ? "" : " stroke-dasharray=\"8 6\"";
         svg += "<polyline points=\"" + path + "\" fill=\"none\" stroke-width=\"2\" stroke=\"" +
-               colour_of(i) + "\"/>\n" + markers;
+               colour_of(i) + "\"" + gaps + "/>\n" + markers;
     }
     const double middle = 0.5 * (area.top + area.bottom);
     svg += text_at(18.0, middle, plot.y.label,

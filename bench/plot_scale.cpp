@@ -91,8 +91,10 @@ std::string tick_text(double value) {
     const double size = std::abs(value);
     if (size >= 1e4 && size < 1e6) {
         std::snprintf(text.data(), text.size(), "%gk", value / 1e3);
+    } else if (size >= 1e6 && size < 1e9) {
+        std::snprintf(text.data(), text.size(), "%gM", value / 1e6);
     } else {
-        std::snprintf(text.data(), text.size(), "%.3g", value);
+        std::snprintf(text.data(), text.size(), size >= 1e3 ? "%.4g" : "%.3g", value);
     }
     return text.data();
 }

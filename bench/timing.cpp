@@ -76,9 +76,10 @@ double median_ratio(const Rounds& base, const Rounds& timed, const Rounds& base_
     };
     std::vector<double> ratios;
     for (std::size_t i = 0; i < std::min(base.size(), timed.size()); ++i) {
+        const double dividend = left(base, base_less, i);
         const double divisor = left(timed, timed_less, i);
-        if (divisor > 0.0) {
-            ratios.push_back(left(base, base_less, i) / divisor);
+        if (dividend > 0.0 && divisor > 0.0) {
+            ratios.push_back(dividend / divisor);
         }
     }
     return median(ratios);

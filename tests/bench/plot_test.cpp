@@ -115,7 +115,9 @@ TEST(PlotScale, logarithmic_ticks_are_powers_of_ten) {
 TEST(PlotScale, ticks_are_short) {
     EXPECT_EQ(tick_text(0.0), "0");
     EXPECT_EQ(tick_text(0.25), "0.25");
+    EXPECT_EQ(tick_text(1000.0), "1000");
     EXPECT_EQ(tick_text(20000.0), "20k");
+    EXPECT_EQ(tick_text(1e6), "1M");
     EXPECT_EQ(tick_text(1e-7), "1e-07");
 }
 
