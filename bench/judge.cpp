@@ -27,7 +27,19 @@ std::uint64_t steps_of_ray(const GBuffer& picture, std::size_t at) {
     return (picture.steps[at] + rays - 1) / rays;
 }
 
-void count_steps(const GBuffer& picture, Judgement& into) {
+void add(const HardAndTie& from, HardAndTie& into) {
+    into.hard += from.hard;
+    into.tie += from.tie;
+}
+
+double quotient(std::uint64_t sum, std::uint64_t count) {
+    return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
+}
+
+}  // namespace
+
+Judgement count_rays(const GBuffer& picture) {
+    Judgement into;
     for (std::size_t i = 0; i < picture.rays.size(); ++i) {
         into.rays += picture.rays[i];
         into.steps += picture.steps[i];
@@ -49,18 +61,8 @@ void count_steps(const GBuffer& picture, Judgement& into) {
             into.steps_of_blocks += most;
         }
     }
+    return into;
 }
-
-void add(const HardAndTie& from, HardAndTie& into) {
-    into.hard += from.hard;
-    into.tie += from.tie;
-}
-
-double quotient(std::uint64_t sum, std::uint64_t count) {
-    return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
-}
-
-}  // namespace
 
 double Judgement::steps_mean() const {
     return quotient(steps, rays);
@@ -97,11 +99,10 @@ Judgement Judge::judge(const GBuffer& picture) {
     std::vector<Judgement> rows(static_cast<std::size_t>(picture.size.height));
     for_each_row(picture.size.height,
                  [&](int y) { judge_row(picture, y, rows[static_cast<std::size_t>(y)]); });
-    Judgement sum;
+    Judgement sum = count_rays(picture);
     for (const Judgement& row : rows) {
         add(row, sum);
     }
-    count_steps(picture, sum);
     return sum;
 }
 

@@ -32,6 +32,9 @@ struct Judgement {
 
 void add(const Judgement& from, Judgement& into);
 
+// What needs no truth: covered pixels, rays and steps.
+Judgement count_rays(const GBuffer& picture);
+
 // The truth of one view, remembered, since all solvers of a view are given the same rays. The
 // surface must be placed at the origin without rotation.
 class Judge {

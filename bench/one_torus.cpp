@@ -108,7 +108,8 @@ Status judge_all(Stage& stage, Methods& methods, PixelSize size, const BenchSett
             }
             method.gpu_bytes = stage.gpu_bytes();
             if (method.sides == 0) {
-                method.judged[angle] = judge.judge(picture.value());
+                method.judged[angle] =
+                    method.is_judged() ? judge.judge(picture.value()) : count_rays(picture.value());
             }
         }
     }
@@ -197,9 +198,7 @@ void add_pixels(const Method& method, ordered_json& row) {
     row["waste"] = waste;
     row["bbox_pixels"] = covered;
     row["torus_pixels"] = hits;
-    if (method.is_judged()) {
-        row["missed_hard_by_angle"] = missed;
-    }
+    row["missed_hard_by_angle"] = missed;
 }
 
 void add_judgement(const Method& method, ordered_json& row) {
@@ -232,10 +231,8 @@ void add_paper(const Method& method, ordered_json& row) {
 ordered_json row_of(const Methods& methods, const Method& method) {
     ordered_json row{{"method", method.name}, {"proxy", method.proxy}};
     add_speed(methods, method, row);
-    if (method.sides == 0) {
-        add_pixels(method, row);
-    }
     if (method.is_judged()) {
+        add_pixels(method, row);
         add_judgement(method, row);
     }
     if (method.sides > 0) {
