@@ -1,13 +1,13 @@
 // Times the importers; makes big RVM files by repeating small ones.
 #include "bench/load.h"
 
+#include "bench/timing.h"
 #include "importers/big_endian.h"
 #include "importers/load.h"
 #include "importers/rvm_chunks.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -17,23 +17,9 @@
 namespace quartic {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 // Decodes every field; the sum keeps the compiler from leaving anything out.
 Result<double> parse_rvm(const Source& model, float& sum) {
-    const Clock::time_point start = Clock::now();
+    const double start = wall_seconds();
     Scene scene;
     RvmGroups groups(scene);
     RvmTally tally;
@@ -48,7 +34,7 @@ Result<double> parse_rvm(const Source& model, float& sum) {
         sum += reading.fault.empty() ? primitive.matrix[0] + primitive.box[0] + primitive.values[0]
                                      : 0.0f;
     }
-    return seconds_since(start);
+    return wall_seconds() - start;
 }
 
 void put_word(std::vector<std::byte>& bytes, std::size_t at, std::uint32_t word) {
@@ -116,13 +102,13 @@ Result<LoadFigures> measure_load(const Source& model, int rounds, int thread_cou
         options.thread_count = thread_count;
         options.find_attributes = false;
         Progress progress;
-        const Clock::time_point start = Clock::now();
+        const double start = wall_seconds();
         const Result<Scene> scene = load_scene(model, options, progress);
         if (!scene) {
             return scene.error();
         }
         if (round >= 0) {
-            figures.scene_s.push_back(seconds_since(start));
+            figures.scene_s.push_back(wall_seconds() - start);
         }
         figures.parts = scene.value().parts.size();
     }

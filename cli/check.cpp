@@ -50,15 +50,11 @@ struct Checked {
     }
 };
 
-// Directions spread evenly over the sphere (a Fibonacci spiral), turned by the seed.
+// The views are spread evenly; the seed turns them.
 glm::dvec3 view_direction(int i, int count, std::uint32_t seed) {
-    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
     std::mt19937 random(seed);
     const double turn = 2.0 * std::numbers::pi * static_cast<double>(random()) / 4294967296.0;
-    const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
-    const double angle = golden_angle * i + turn;
-    return {radius * std::cos(angle), radius * std::sin(angle), z};
+    return spread_direction(i, count, turn);
 }
 
 // One part and what is around it, in the direction of a view of the whole model.

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace quartic {
 namespace {
@@ -140,6 +141,14 @@ glm::dvec3 project(const View& view, const glm::dvec3& world) {
     const double scale = view.step * (view.projection == Projection::perspective ? depth : 1.0);
     return {0.5 * view.size.width + glm::dot(view.right, p) / scale,
             0.5 * view.size.height + glm::dot(view.up, p) / scale, depth};
+}
+
+glm::dvec3 spread_direction(int index, int count, double turn) {
+    const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const double z = 1.0 - (2.0 * index + 1.0) / count;
+    const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+    const double angle = golden_angle * index + turn;
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
 double buffer_depth(const View& view, double depth_m) {

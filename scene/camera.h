@@ -63,6 +63,9 @@ f64::Ray pixel_ray(const View& view, double x, double y);
 // The point of the picture, in pixels, where a world point appears, and its depth.
 glm::dvec3 project(const View& view, const glm::dvec3& world);
 
+// Directions spread evenly over the sphere (a Fibonacci spiral), turned about z.
+glm::dvec3 spread_direction(int index, int count, double turn = 0.0);
+
 // Depth as the depth buffer holds it (shaders/camera.glsl), and back.
 double buffer_depth(const View& view, double depth_m);
 double depth_from_buffer(const View& view, double buffer_depth);

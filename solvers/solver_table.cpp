@@ -56,9 +56,13 @@ const SolverRow* find_solver(std::string_view name) {
     return nullptr;
 }
 
+bool solves(const SolverRow& row, std::string_view name) {
+    return lists(row.solves, name);
+}
+
 bool has_solvers(std::string_view name) {
     for (const SolverRow& row : rows) {
-        if (lists(row.solves, name)) {
+        if (solves(row, name)) {
             return true;
         }
     }
@@ -70,7 +74,7 @@ int solver_for(std::string_view name, int chosen) {
         return chosen;
     }
     for (const SolverRow& row : rows) {
-        if (row.id == chosen && lists(row.solves, name)) {
+        if (row.id == chosen && solves(row, name)) {
             return chosen;
         }
     }

@@ -18,6 +18,8 @@ constexpr int solver_none = -1;  // as in first_root.glsl: all but the solving, 
 
 std::span<const SolverRow> solver_table();
 const SolverRow* find_solver(std::string_view name);
+// Whether a solver works on what bears this name.
+bool solves(const SolverRow& row, std::string_view name);
 // Whether any solver works on what bears this name: the others are drawn alike whatever is chosen.
 bool has_solvers(std::string_view name);
 // The solver chosen for what bears this name if it works on it, else the default. solver_none works

@@ -69,12 +69,4 @@ private:
     static inline std::optional<Renderer> renderer_;
 };
 
-// Directions spread evenly over the sphere (Fibonacci's spiral).
-inline glm::dvec3 spread_direction(int index, int count) {
-    const double z = 1.0 - (2.0 * index + 1.0) / count;
-    const double angle = 2.39996322972865332 * index;
-    const double radius = std::sqrt(1.0 - z * z);
-    return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
-
 }  // namespace quartic

@@ -1,0 +1,26 @@
+// The table of benchmarks.
+#include "bench/benches.h"
+
+namespace quartic {
+namespace {
+
+constexpr BenchRow rows[] = {
+    {"load", "decoding models and making scenes, of files or of a generated plant", bench_load},
+    {"one-torus", "every solver on one torus from six angles, and polygons (a paper's table 1)",
+     bench_one_torus},
+    {"many-tori", "frame rate over the number of tori, rays and polygons (the paper's figure 6)",
+     bench_many_tori},
+    {"cubics", "every solver on famous cubic surfaces, zooming in on singular points",
+     bench_cubics},
+    {"quartics", "every solver on famous quartic surfaces, zooming in on singular points",
+     bench_quartics},
+    {"solvers", "every solver on models of yours: time, and wrong pixels", bench_solvers},
+};
+
+}  // namespace
+
+std::span<const BenchRow> bench_table() {
+    return rows;
+}
+
+}  // namespace quartic
