@@ -84,8 +84,13 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
 }
 
 ProgramKey key_of(const PrimitiveVariant& variant) {
-    return {static_cast<int>(variant.type), variant.solver, variant.hull_rings, variant.transparent,
-            static_cast<int>(variant.pass), variant.inspect};
+    return {static_cast<int>(variant.type),
+            variant.solver,
+            variant.form,
+            variant.hull_rings,
+            variant.transparent,
+            static_cast<int>(variant.pass),
+            variant.inspect};
 }
 
 std::span<const Pass> passes_of(ShapeType type) {
@@ -96,8 +101,11 @@ std::span<const Pass> passes_of(ShapeType type) {
 std::vector<PrimitiveVariant> variants_of(const Packed& packed) {
     std::vector<PrimitiveVariant> variants;
     for (const Batch& batch : packed.batches) {
-        variants.push_back(
-            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
+        variants.push_back({.type = batch.type,
+                            .solver = batch.solver,
+                            .form = batch.form,
+                            .hull_rings = batch.hull_rings,
+                            .transparent = batch.transparent});
     }
     return variants;
 }
@@ -139,16 +147,8 @@ struct Renderer::State {
         }
     }
 
-<<<<<<< HEAD
-    Result<GLuint> program_of(PrimitiveVariant variant) {
-        variant.inspect = variant.inspect && casts_rays(variant);
-        const auto key = std::tuple(static_cast<int>(variant.type), variant.solver, variant.form,
-                                    variant.hull_rings, variant.transparent,
-                                    static_cast<int>(variant.pass), variant.inspect);
-=======
     Result<GLuint> program_of(const PrimitiveVariant& variant) {
         const ProgramKey key = key_of(variant);
->>>>>>> maps
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -170,6 +170,7 @@ struct Renderer::State {
         for (std::size_t i = 0; i < variants.size(); ++i) {
             DrawBatch& draw = scene.draws[i];
             draw.transparent = variants[i].transparent && !looks.opaque;
+            scene.has_translucent = scene.has_translucent || draw.transparent;
             for (const Pass pass : passes_of(variants[i].type)) {
                 const Result<GLuint> program = program_of(seen_as(variants[i], looks, pass));
                 if (!program) {
@@ -177,23 +178,6 @@ struct Renderer::State {
                 }
                 (pass == Pass::front ? draw.front_program : draw.near_program) = program.value();
             }
-<<<<<<< HEAD
-            scene.draws[i].transparent = variant.transparent;
-            scene.has_translucent = scene.has_translucent || variant.transparent;
-            Result<GLuint> front = program_of(variant);
-            if (!front) {
-                return front.error();
-            }
-            scene.draws[i].front_program = front.value();
-            variant.pass = Pass::near;
-            Result<GLuint> near =
-                variant.type == ShapeType::mesh ? Result<GLuint>(0u) : program_of(variant);
-            if (!near) {
-                return near.error();
-            }
-            scene.draws[i].near_program = near.value();
-=======
->>>>>>> maps
         }
         return Done{};
     }
@@ -251,15 +235,7 @@ Status Renderer::load(const Packed& packed) {
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
     state_->box = packed.box;
-<<<<<<< HEAD
-    state_->variants.clear();
-    for (const Batch& batch : packed.batches) {
-        state_->variants.push_back({batch.type, batch.solver, batch.form, batch.hull_rings,
-                                    batch.transparent, Pass::front, false});
-    }
-=======
     state_->variants = variants_of(packed);
->>>>>>> maps
     const Status chosen = state_->choose_programs({});
     if (!chosen) {
         return chosen;

@@ -30,8 +30,8 @@ struct BoundsPage {
     std::uint32_t bounds_count = 0;
 };
 
-// (type, solver, hull rings, transparent, pass, inspect)
-using ProgramKey = std::tuple<int, int, int, bool, int, bool>;
+// (type, solver, form, hull rings, transparent, pass, inspect)
+using ProgramKey = std::tuple<int, int, int, int, bool, int, bool>;
 
 struct SceneBuffers {
     GlBuffer chunks;
@@ -57,12 +57,7 @@ struct SceneBuffers {
     std::uint32_t command_count = 0;
     std::uint32_t chunk_count = 0;
     std::uint64_t bytes = 0;
-<<<<<<< HEAD
-    // (type, solver, form, hull rings, transparent, pass, inspect)
-    std::map<std::tuple<int, int, int, int, bool, int, bool>, GlProgram> programs;
-=======
     std::map<ProgramKey, GlProgram> programs;
->>>>>>> maps
 };
 
 SceneBuffers upload(const Packed& packed, const Proxies& proxies);
