@@ -45,6 +45,8 @@ ExitCode convert(const ConvertArguments& arguments) {
     if (!saved) {
         return report_error(saved.error());
     }
+    Findings findings = model.value().scene.findings;
+    findings.add_all(export_findings(model.value().scene, arguments.output));
     ExitCode code = exit_ok;
     if (arguments.reporting.json) {
         code = print_json({{"schema", json_schema},
@@ -54,10 +56,9 @@ ExitCode convert(const ConvertArguments& arguments) {
                            {"nodes", model.value().scene.nodes.size()},
                            {"load_ms", model.value().load_ms},
                            {"peak_memory_bytes", peak_memory_bytes()},
-                           {"findings", findings_as_json(model.value().scene.findings)}});
+                           {"findings", findings_as_json(findings)}});
     }
-    return worse_of(code, report_findings(model.value().path, model.value().scene.findings,
-                                          arguments.reporting));
+    return worse_of(code, report_findings(model.value().path, findings, arguments.reporting));
 }
 
 }  // namespace
@@ -65,7 +66,9 @@ ExitCode convert(const ConvertArguments& arguments) {
 void add_convert(CLI::App& program, Run& run) {
     const auto arguments = std::make_shared<ConvertArguments>();
     CLI::App& verb = *program.add_subcommand("convert", "write a model in another format");
-    verb.footer("Example: quartic convert plant.rev -o plant.rvm");
+    verb.footer(
+        "Example: quartic convert plant.rev -o plant.rvm\n"
+        "         quartic convert plant.rvm -o plant.pov");
     verb.add_option("IN", arguments->files, "the model; - is standard input")
         ->required()
         ->default_str("");

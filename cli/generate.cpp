@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/model.h"
 #include "cli/verbs.h"
+#include "exporters/save.h"
 
 #include <nlohmann/json.hpp>
 
@@ -52,6 +53,7 @@ ExitCode generate_model(const GenerateArguments& arguments) {
         return report_error(saved.error());
     }
     const std::size_t parts = scene.value().parts.size();
+    const Findings findings = export_findings(scene.value(), arguments.output);
     if (arguments.reporting.json) {
         return print_json({{"schema", json_schema},
                            {"kind", arguments.kind},
@@ -63,7 +65,7 @@ ExitCode generate_model(const GenerateArguments& arguments) {
                            {"peak_memory_bytes", peak_memory_bytes()}});
     }
     report_note(arguments.reporting, arguments.output + ": " + std::to_string(parts) + " parts");
-    return exit_ok;
+    return report_findings(arguments.output, findings, arguments.reporting);
 }
 
 }  // namespace
@@ -72,7 +74,8 @@ void add_generate(CLI::App& program, Run& run) {
     const auto arguments = std::make_shared<GenerateArguments>();
     CLI::App& verb = *program.add_subcommand("generate", "make a model with known truth");
     verb.footer(described_kinds() +
-                "\nExample: quartic generate plant -o plant.rvm --seed 1 --offset 1000,2000,0");
+                "\nExample: quartic generate plant -o plant.rvm --seed 1 --offset 1000,2000,0\n"
+                "         quartic generate surfaces -o gallery.pov");
     verb.add_option("KIND", arguments->kind, "what to make")
         ->required()
         ->default_str("")

@@ -3,6 +3,7 @@
 
 #include "primitives/tessellate.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -34,7 +35,9 @@ Scene tessellated(const Scene& scene, double sagitta) {
         const auto [entry, added] = mesh_of_shape.emplace(key, next);
         if (added) {
             visit_shape(scene.shapes, part.type, part.shape, [&](const auto& shape) {
-                result.meshes.push_back(mesh_of(tessellate(shape, sagitta, part.open_ends)));
+                const Triangles triangles = tessellate(shape, sagitta, part.open_ends);
+                result.max_deviation_m = std::max(result.max_deviation_m, triangles.deviation);
+                result.meshes.push_back(mesh_of(triangles));
             });
         }
         part.type = ShapeType::mesh;

@@ -3,6 +3,7 @@
 
 #include "exporters/rvm_records.h"
 #include "exporters/rvm_writer.h"
+#include "primitives/tessellate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +86,12 @@ private:
     std::vector<std::uint8_t> transparencies_;
 };
 
+// RVM has no word for surfaces that are given by an equation: they become facets.
+template <class Shape>
+double rvm_sagitta(const Shape& shape) {
+    return std::max(0.0005, 1e-3 * shape.half_size);
+}
+
 class Export {
 public:
     Export(const Scene& scene, Output& output)
@@ -108,6 +115,9 @@ private:
     void begin_part(const Part& part, const Box3& local, std::uint32_t kind);
     void write_shape(const Part& part);
     void write_mesh(const Part& part);
+    template <class Vector>
+    void write_facets(std::span<const Vector> positions, std::span<const Vector> normals,
+                      std::span<const std::uint32_t> indices, const Part& part);
     void write_colours();
 
     const Scene& scene_;
@@ -213,6 +223,12 @@ void Export::begin_part(const Part& part, const Box3& local, std::uint32_t kind)
 void Export::write_shape(const Part& part) {
     visit_shape(scene_.shapes, part.type, part.shape, [&](const auto& shape) {
         using Shape = std::decay_t<decltype(shape)>;
+        if constexpr (Implicit<Shape>) {
+            const Triangles triangles = tessellate(shape, rvm_sagitta(shape));
+            write_facets<glm::dvec3>(triangles.positions, triangles.normals, triangles.indices,
+                                     part);
+            return;
+        }
         RvmRecordOfShape record = rvm_record(shape);
         if constexpr (std::is_same_v<Shape, f64::Cylinder>) {
             record = part.layer == Layer::line ? rvm_line_record(shape) : record;
@@ -227,28 +243,34 @@ void Export::write_shape(const Part& part) {
 }
 
 // Every triangle is a polygon of one contour.
-void Export::write_mesh(const Part& part) {
-    const Mesh& mesh = scene_.meshes[part.shape];
+template <class Vector>
+void Export::write_facets(std::span<const Vector> positions, std::span<const Vector> normals,
+                          std::span<const std::uint32_t> indices, const Part& part) {
     Box3 box;
-    for (const glm::vec3& position : mesh.positions) {
+    for (const Vector& position : positions) {
         box.low = glm::min(box.low, glm::dvec3(position));
         box.high = glm::max(box.high, glm::dvec3(position));
     }
-    if (mesh.indices.empty()) {
+    if (indices.empty()) {
         return;
     }
     begin_part(part, box, rvm_facet_group_kind);
-    writer_.put_word(static_cast<std::uint32_t>(mesh.indices.size() / 3));
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    writer_.put_word(static_cast<std::uint32_t>(indices.size() / 3));
+    for (std::size_t i = 0; i < indices.size(); ++i) {
         if (i % 3 == 0) {
             writer_.put_word(1);
             writer_.put_word(3);
         }
-        const std::uint32_t index = mesh.indices[i];
-        writer_.put_vector(glm::vec3(rvm_local_per_metre * glm::dvec3(mesh.positions[index])));
-        writer_.put_vector(mesh.normals[index]);
+        const std::uint32_t index = indices[i];
+        writer_.put_vector(glm::vec3(rvm_local_per_metre * glm::dvec3(positions[index])));
+        writer_.put_vector(glm::vec3(normals[index]));
     }
     writer_.end();
+}
+
+void Export::write_mesh(const Part& part) {
+    const Mesh& mesh = scene_.meshes[part.shape];
+    write_facets<glm::vec3>(mesh.positions, mesh.normals, mesh.indices, part);
 }
 
 void Export::write_part(const Part& part) {
@@ -284,6 +306,20 @@ Status Export::run() {
 }
 
 }  // namespace
+
+void remark_rvm(const Scene& scene, Findings& findings) {
+    const auto is_implicit = [](const Part& part) {
+        return std::ranges::any_of(shape_table(), [&](const ShapeRow& row) {
+            return row.type == part.type && row.implicit;
+        });
+    };
+    const auto count = std::ranges::count_if(scene.parts, is_implicit);
+    if (count > 0) {
+        findings.add(Severity::warning, "RVM",
+                     "RVM has no surfaces given by an equation: written as triangles",
+                     static_cast<std::uint64_t>(count));
+    }
+}
 
 Status export_rvm(const Scene& scene, Output& output) {
     return Export(scene, output).run();

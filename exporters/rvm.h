@@ -12,4 +12,7 @@ namespace quartic {
 // own below it. Attributes have no place in this format.
 Status export_rvm(const Scene& scene, Output& output);
 
+// Surfaces that are given by an equation become facets.
+void remark_rvm(const Scene& scene, Findings& findings);
+
 }  // namespace quartic

@@ -1,6 +1,7 @@
 // The table of exporters.
 #include "exporters/save.h"
 
+#include "exporters/pov.h"
 #include "exporters/rvm.h"
 
 #include <algorithm>
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::array<std::string_view, 1> rvm_extensions{"rvm"};
 
+constexpr std::array<std::string_view, 1> pov_extensions{"pov"};
+
 constexpr Exporter exporters[] = {
-    {"rvm", rvm_extensions, export_rvm},
+    {"rvm", rvm_extensions, export_rvm, remark_rvm},
+    {"pov", pov_extensions, export_pov, remark_pov},
 };
 
 std::string extension_of(std::string_view path) {
@@ -42,6 +46,15 @@ const Exporter* find_exporter(std::string_view path) {
         }
     }
     return nullptr;
+}
+
+Findings export_findings(const Scene& scene, std::string_view path) {
+    Findings findings;
+    const Exporter* exporter = path == "-" ? &exporters[0] : find_exporter(path);
+    if (exporter != nullptr && exporter->remark != nullptr) {
+        exporter->remark(scene, findings);
+    }
+    return findings;
 }
 
 Status save_scene(const Scene& scene, const std::string& path) {

@@ -17,6 +17,7 @@ constexpr GeneratorRow rows[] = {
     {"tori", "a cloud of whole tori", 16'000, make_tori},
     {"elbows", "a cloud of pipe elbows", 16'000, make_elbows},
     {"sheet", "every primitive with every awkward parameter", 0, make_sheet},
+    {"surfaces", "a gallery of famous cubic and quartic surfaces", 16, make_surfaces},
     {"run", "a short pipe: tube, elbow, tube, reducer, cap", 0, make_run},
 };
 

@@ -10,6 +10,7 @@ Scene make_plant(const GenerateOptions& options);
 Scene make_tori(const GenerateOptions& options);
 Scene make_elbows(const GenerateOptions& options);
 Scene make_sheet(const GenerateOptions& options);
+Scene make_surfaces(const GenerateOptions& options);
 Scene make_run(const GenerateOptions& options);
 
 }  // namespace quartic

@@ -7,5 +7,6 @@ namespace quartic {
 
 Importer rvm_importer();  // AVEVA RVM, binary
 Importer rev_importer();  // AVEVA RVM, text form
+Importer pov_importer();  // POV-Ray scenes
 
 }  // namespace quartic

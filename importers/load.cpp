@@ -71,7 +71,7 @@ void Progress::report(double fraction) {
 }
 
 std::span<const Importer> importer_table() {
-    static const std::array table{rvm_importer(), rev_importer()};
+    static const std::array table{rvm_importer(), rev_importer(), pov_importer()};
     return table;
 }
 

@@ -1,6 +1,7 @@
 // The formulas from RVM parameters to shapes (kinds and frames: docs/formats/rvm.md).
 #include "importers/rvm_primitive.h"
 
+#include "importers/baked_mesh.h"
 #include "scene/add_shape.h"
 
 #include <algorithm>
@@ -142,53 +143,6 @@ bool is_empty(const RvmPrimitive& primitive) {
     return has_zero;
 }
 
-// The triangles of whatever add_analytic() made of the shape.
-Triangles tessellate_part(const Scene& scene, const Part& part, double sagitta) {
-    Triangles triangles = visit_shape(scene.shapes, part.type, part.shape, [&](const auto& shape) {
-        return tessellate(shape, sagitta);
-    });
-    const glm::dmat3 rotation = glm::mat3_cast(part.placement.rotation);
-    for (glm::dvec3& position : triangles.positions) {
-        position = part.placement.position + rotation * position;
-    }
-    for (glm::dvec3& normal : triangles.normals) {
-        normal = rotation * normal;
-    }
-    return triangles;
-}
-
-glm::vec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise) {
-    const double square = glm::dot(vector, vector);
-    const bool sound = std::isfinite(square) && square > 1e-30;
-    return glm::vec3(sound ? vector / std::sqrt(square) : otherwise);
-}
-
-// Moves triangles through a general matrix; a mirror turns their winding.
-Mesh transformed(const Triangles& triangles, const glm::dmat3& axes, glm::dvec3& centre) {
-    Box3 box;
-    for (const glm::dvec3& position : triangles.positions) {
-        const glm::dvec3 moved = axes * position;
-        box.low = glm::min(box.low, moved);
-        box.high = glm::max(box.high, moved);
-    }
-    centre = 0.5 * (box.low + box.high);
-    const glm::dmat3 normal_axes = glm::transpose(glm::inverse(axes));
-    Mesh mesh;
-    mesh.positions.reserve(triangles.positions.size());
-    mesh.normals.reserve(triangles.normals.size());
-    for (std::size_t i = 0; i < triangles.positions.size(); ++i) {
-        mesh.positions.emplace_back(axes * triangles.positions[i] - centre);
-        mesh.normals.push_back(unit_or(normal_axes * triangles.normals[i], {0.0, 0.0, 1.0}));
-    }
-    mesh.indices = triangles.indices;
-    if (glm::determinant(axes) < 0.0) {
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-        }
-    }
-    return mesh;
-}
-
 // Corners that baked shapes of one block of a file may have before they get coarser: some 50 MB.
 constexpr std::size_t fine_corners_max = std::size_t{1} << 21;
 constexpr double fine_sagitta = 0.0005;  // metres
@@ -268,9 +222,9 @@ void RvmConverter::bake(const RvmPrimitive& primitive, const RvmPlacement& place
     const double sagitta = sagitta_for(primitive);
     const glm::dmat3 axes = placement.axes / local_unit;
     for (const Part& shape : scratch.parts) {
-        const Triangles triangles = tessellate_part(scratch, shape, sagitta);
+        const Triangles triangles = triangles_of_part(scratch, shape, sagitta);
         glm::dvec3 centre(0.0);
-        Mesh mesh = transformed(triangles, axes, centre);
+        Mesh mesh = baked_mesh(triangles, axes, centre);
         baked_corners_ += mesh.positions.size();
         part.placement.position = placement.placement.position + centre;
         add_mesh_part(scene_, std::move(mesh), part);
@@ -337,7 +291,7 @@ void RvmConverter::add_facets(const RvmPrimitive& primitive, const RvmFacets& fa
     const bool similar = placement.kind == RvmPlacement::Kind::similar;
     const glm::dmat3 axes = similar ? glm::dmat3(placement.scale) : placement.axes;
     glm::dvec3 centre(0.0);
-    Mesh mesh = transformed(all_facets_, axes, centre);
+    Mesh mesh = baked_mesh(all_facets_, axes, centre);
     part.placement.rotation = placement.placement.rotation;
     part.placement.position = placement.placement.position + part.placement.rotation * centre;
     add_mesh_part(scene_, std::move(mesh), part);

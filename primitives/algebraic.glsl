@@ -94,6 +94,7 @@ AlgebraicLine in_cube(Ray ray, real half_size) {
     line.search.tolerance = real(0.01) * last_step();
     line.search.scale = real(1);
     line.search.resolution = ray.pixel / half_size;
+    line.search.starts_above = false;
     return line;
 }
 

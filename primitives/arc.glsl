@@ -1,57 +1,76 @@
 // What parts of rings share: a sector of angles from +x counter-clockwise around the local z axis.
 
 // The part of a line whose points have their angle in [0, arc]: one interval up to half a turn,
-// else what the remaining sector leaves, two. The overlaps turn the end planes outwards by angles,
-// so that joints are tight.
+// else what the remaining sector leaves, two.
 struct Sector {
     Span part_0;
     Span part_1;  // empty up to half a turn
 };
 
+// The forms of a sector: up to half a turn, more, and all of it, without ends; the last also for
+// rays that are known to start outside the solid. The GPU has a program for each.
+const int arc_narrow = 0;
+const int arc_wide = 1;
+const int arc_whole = 2;
+const int arc_whole_from_outside = 3;
+
+// The ends of a sector: all that a ray needs to know of it.
+struct ArcEnds {
+    vec4 planes;  // their inward normals, (n_0.x, n_0.y, n_1.x, n_1.y)
+    int form;
+    int open;         // as hit()'s open_ends
+    bool nears_axis;  // the solid's inner side is near the z axis
+};
+
+// The overlaps turn the planes outwards by angles, so that joints are tight.
+ArcEnds arc_ends(real arc, real overlap_0, real overlap_1, int open_ends) {
+    real last = arc + overlap_1;
+    real widened = last + overlap_0;
+    ArcEnds ends;
+    ends.open = open_ends;
+    ends.nears_axis = false;
+    ends.planes = vec4(sin(overlap_0), cos(overlap_0), sin(last), -cos(last));
+    ends.form = widened <= pi() ? arc_narrow : (widened < real(2) * pi() ? arc_wide : arc_whole);
+    return ends;
+}
+
 // The end whose plane a point of it belongs to, as a face; at half a turn both ends lie in one
 // plane.
-int face_of_end(vec2 p, real arc) {
-    return dot(p, vec2(real(1) - cos(arc), -sin(arc))) >= real(0) ? 1 : 2;
+int face_of_end(vec2 p, vec4 planes) {
+    return dot(p, vec2(planes.y + planes.w, -planes.x - planes.z)) >= real(0) ? 1 : 2;
 }
 
 // The span with the faces of the ends that its limits lie on.
-Span with_end_faces(Span span, vec3 o, vec3 d, real arc) {
+Span with_end_faces(Span span, vec3 o, vec3 d, vec4 planes) {
     if (span.enter > -huge) {
-        span.enter_face = face_of_end(vec2(o + span.enter * d), arc);
+        span.enter_face = face_of_end(vec2(o + span.enter * d), planes);
     }
     if (span.exit < huge) {
-        span.exit_face = face_of_end(vec2(o + span.exit * d), arc);
+        span.exit_face = face_of_end(vec2(o + span.exit * d), planes);
     }
     return span;
 }
 
-Sector in_sector(vec3 o, vec3 d, real arc, real overlap_0, real overlap_1) {
+Sector in_sector(vec3 o, vec3 d, ArcEnds ends) {
     Sector sector;
     sector.part_0 = whole_line();
     sector.part_1 = empty_span();
-    real widened = arc + overlap_0 + overlap_1;
-    if (widened >= real(2) * pi()) {
+    if (ends.form >= arc_whole) {
         return sector;
     }
-    // Inward normals of the end planes.
-    vec2 n_0 = vec2(sin(overlap_0), cos(overlap_0));
-    vec2 n_1 = vec2(sin(arc + overlap_1), -cos(arc + overlap_1));
-    real depth_0 = dot(n_0, vec2(o));
-    real depth_1 = dot(n_1, vec2(o));
-    real rate_0 = dot(n_0, vec2(d));
-    real rate_1 = dot(n_1, vec2(d));
-    if (widened <= pi()) {
-        sector.part_0 = below_plane(sector.part_0, depth_0, rate_0, 1);
-        sector.part_0 = below_plane(sector.part_0, depth_1, rate_1, 2);
-        sector.part_0 = with_end_faces(sector.part_0, o, d, arc);
-        return sector;
-    }
-    Span gap = below_plane(whole_line(), -depth_0, -rate_0, 1);
-    gap = below_plane(gap, -depth_1, -rate_1, 2);
-    if (gap.enter < gap.exit) {
-        gap = with_end_faces(gap, o, d, arc);
-        sector.part_0 = between(whole_line(), -huge, gap.enter, gap.enter_face);
-        sector.part_1 = between(whole_line(), gap.exit, huge, gap.exit_face);
+    vec4 planes = ends.planes;
+    vec2 depths = vec2(planes.x * o.x + planes.y * o.y, planes.z * o.x + planes.w * o.y);
+    vec2 rates = vec2(planes.x * d.x + planes.y * d.y, planes.z * d.x + planes.w * d.y);
+    // Beyond half a turn the gap is the smaller sector, with the same planes seen from behind.
+    real side = ends.form == arc_narrow ? real(1) : real(-1);
+    Span part = below_plane(whole_line(), side * depths.x, side * rates.x, 1);
+    part = below_plane(part, side * depths.y, side * rates.y, 2);
+    if (ends.form == arc_narrow) {
+        sector.part_0 = with_end_faces(part, o, d, planes);
+    } else if (part.enter < part.exit) {
+        part = with_end_faces(part, o, d, planes);
+        sector.part_0 = between(whole_line(), -huge, part.enter, part.enter_face);
+        sector.part_1 = between(whole_line(), part.exit, huge, part.exit_face);
     }
     return sector;
 }
@@ -73,8 +92,12 @@ vec4 sector_box(real inner, real outer, real arc) {
     return vec4(low.x, low.y, high.x, high.y);
 }
 
-// Rings of a proxy along an arc: one at each end and one every 30 degrees at the most.
+// Rings of a proxy along an arc: one at each end and one every 30 degrees at the most, of a full
+// turn, where chords stand out on the inner side too, every 22.5 degrees.
 int arc_rings(real arc) {
+    if (arc >= real(2) * pi()) {
+        return 17;
+    }
     return 1 + max(1, int(ceil(arc / (pi() / real(6)) - real(0.01))));
 }
 

@@ -45,6 +45,14 @@ vec3 facet_normal(Box box, int facet) {
     return box_normal(facet);
 }
 
+vec3 farthest(Box box, vec3 n) {
+    return farthest_of_box(bounds(box), n);
+}
+
+bool suits_outline(Box box) {
+    return false;
+}
+
 int hull_rings(Box box) {
     return 2;
 }

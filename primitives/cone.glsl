@@ -41,6 +41,16 @@ vec3 point(Cone cone, int face, vec2 uv) {
     return disc_point(end(cone, face - 1), uv);
 }
 
+vec3 farthest(Cone cone, vec3 n) {
+    real half_height = real(0.5) * cone.height;
+    return farther(farthest_of_disc(-half_height, cone.bottom_radius, n),
+                   farthest_of_disc(half_height, cone.top_radius, n), n);
+}
+
+bool suits_outline(Cone cone) {
+    return false;
+}
+
 int hull_rings(Cone cone) {
     return 2;
 }

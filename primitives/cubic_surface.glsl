@@ -49,6 +49,14 @@ End end(CubicSurface surface, int index) {
     return no_end();
 }
 
+vec3 farthest(CubicSurface surface, vec3 n) {
+    return farthest_of_box(bounds(surface), n);
+}
+
+bool suits_outline(CubicSurface surface) {
+    return true;
+}
+
 int hull_rings(CubicSurface surface) {
     return 2;
 }

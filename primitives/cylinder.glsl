@@ -33,6 +33,15 @@ vec3 point(Cylinder cylinder, int face, vec2 uv) {
     return disc_point(end(cylinder, face - 1), uv);
 }
 
+vec3 farthest(Cylinder cylinder, vec3 n) {
+    real half_height = real(0.5) * cylinder.height;
+    return farthest_of_disc(n.z < real(0) ? -half_height : half_height, cylinder.radius, n);
+}
+
+bool suits_outline(Cylinder cylinder) {
+    return false;
+}
+
 int hull_rings(Cylinder cylinder) {
     return 2;
 }

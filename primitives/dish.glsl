@@ -60,6 +60,19 @@ vec3 point(Dish dish, int face, vec2 uv) {
                  centre_height(dish) + b * cos(polar_angle));
 }
 
+vec3 farthest(Dish dish, vec3 n) {
+    vec3 base = farthest_of_disc(real(0), dish.radius, n);
+    real a = equator_radius(dish);
+    real b = is_spherical(dish) ? a : dish.height;
+    vec3 scaled_n = vec3(a * n.x, a * n.y, b * n.z);
+    vec3 top = vec3(a, a, b) * normalize(scaled_n) + vec3(0, 0, centre_height(dish));
+    return top.z > real(0) ? farther(top, base, n) : base;
+}
+
+bool suits_outline(Dish dish) {
+    return true;
+}
+
 int hull_rings(Dish dish) {
     return 3;
 }

@@ -29,6 +29,14 @@ vec3 point(Disk disk, int face, vec2 uv) {
     return polar(mix(disk.radius, disk.inner_radius, uv.y), real(2) * pi() * uv.x, real(0));
 }
 
+vec3 farthest(Disk disk, vec3 n) {
+    return farthest_of_disc(real(0), disk.radius, n);
+}
+
+bool suits_outline(Disk disk) {
+    return true;
+}
+
 int hull_rings(Disk disk) {
     return 2;
 }

@@ -87,6 +87,14 @@ vec3 facet_normal(Pyramid pyramid, int facet) {
     return normalize(-vec3(side_plane(pyramid, side)));
 }
 
+vec3 farthest(Pyramid pyramid, vec3 n) {
+    return farthest_of_box(bounds(pyramid), n);
+}
+
+bool suits_outline(Pyramid pyramid) {
+    return false;
+}
+
 int hull_rings(Pyramid pyramid) {
     return 2;
 }

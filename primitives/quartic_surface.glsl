@@ -52,6 +52,14 @@ End end(QuarticSurface surface, int index) {
     return no_end();
 }
 
+vec3 farthest(QuarticSurface surface, vec3 n) {
+    return farthest_of_box(bounds(surface), n);
+}
+
+bool suits_outline(QuarticSurface surface) {
+    return true;
+}
+
 int hull_rings(QuarticSurface surface) {
     return 2;
 }

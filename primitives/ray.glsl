@@ -104,6 +104,22 @@ vec2 rectangle_corner(vec2 half_widths, int corner) {
     return vec2(x, y);
 }
 
+// The farthest points of a box and of a level disc in a direction, and the farther of two.
+vec3 farthest_of_box(Bounds box, vec3 n) {
+    return vec3(n.x < real(0) ? box.low.x : box.high.x, n.y < real(0) ? box.low.y : box.high.y,
+                n.z < real(0) ? box.low.z : box.high.z);
+}
+
+vec3 farthest_of_disc(real z, real radius, vec3 n) {
+    real length_xy = length(vec2(n));
+    real scale = length_xy > real(0) ? radius / length_xy : real(0);
+    return vec3(scale * n.x, scale * n.y, z);
+}
+
+vec3 farther(vec3 a, vec3 b, vec3 n) {
+    return dot(a, n) < dot(b, n) ? b : a;
+}
+
 End no_end() {
     End disc;
     disc.centre = vec3(0);

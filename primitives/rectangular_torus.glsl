@@ -50,6 +50,14 @@ vec3 point(RectangularTorus torus, int face, vec2 uv) {
                      : polar(mix(torus.outer_radius, torus.inner_radius, uv.y), angle, half_height);
 }
 
+vec3 farthest(RectangularTorus torus, vec3 n) {
+    return farthest_of_box(bounds(torus), n);
+}
+
+bool suits_outline(RectangularTorus torus) {
+    return false;
+}
+
 int hull_rings(RectangularTorus torus) {
     return arc_rings(torus.arc);
 }
@@ -66,15 +74,15 @@ vec3 hull_point(RectangularTorus torus, int ring, int corner, real margin) {
     return arc_hull_point(across, torus.arc, rings, ring, margin);
 }
 
-vec3 rectangular_torus_normal(RectangularTorus torus, int face, vec3 p) {
+vec3 rectangular_torus_normal(int face, vec3 p, vec4 planes) {
     if (face >= 4) {
         return vec3(0, 0, face == 4 ? -1 : 1);
     }
     if (face == 1) {
-        return vec3(0, -1, 0);
+        return vec3(-planes.x, -planes.y, 0);
     }
     if (face == 2) {
-        return vec3(-sin(torus.arc), cos(torus.arc), 0);
+        return vec3(-planes.z, -planes.w, 0);
     }
     return face == 3 ? vec3(-p.x, -p.y, 0) : vec3(p.x, p.y, 0);
 }
@@ -84,7 +92,12 @@ Span beside(Span body, Span bore, bool after) {
     return after ? between(body, bore.exit, huge, 3) : between(body, -huge, bore.enter, 3);
 }
 
-Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver) {
+// What hit() needs of the shape alone: the GPU calculates it once for each vertex.
+ArcEnds prepare(RectangularTorus torus, int open_ends) {
+    return arc_ends(torus.arc, real(0), real(0), open_ends);
+}
+
+Hit hit_prepared(RectangularTorus torus, ArcEnds ends, Ray ray, int solver) {
     vec3 o = ray.origin;
     vec3 d = ray.direction;
     vec3 across = vec3(d.x, d.y, 0);
@@ -96,7 +109,7 @@ Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver) {
     }
     Span bore = in_cone(vec3(o.x, o.y, torus.inner_radius), across);
     bool bored = bore.enter < bore.exit;
-    Sector sector = in_sector(o, d, torus.arc, real(0), real(0));
+    Sector sector = in_sector(o, d, ends);
 
     // In order along the line: each part of the sector, before and after the bore.
     for (int i = 0; i < 4; ++i) {
@@ -109,8 +122,12 @@ Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver) {
         Crossing crossing = first_crossing(piece, ray.first, 0);
         if (crossing.found) {
             vec3 p = at(ray, crossing.t);
-            return hit_at(ray, crossing.t, rectangular_torus_normal(torus, crossing.face, p));
+            return hit_at(ray, crossing.t, rectangular_torus_normal(crossing.face, p, ends.planes));
         }
     }
     return miss();
+}
+
+Hit hit(RectangularTorus torus, Ray ray, int open_ends, int solver) {
+    return hit_prepared(torus, prepare(torus, open_ends), ray, solver);
 }

@@ -9,11 +9,21 @@ namespace quartic {
 namespace {
 
 constexpr ShapeRow rows[] = {
-#define SHAPE(id, Type, name) \
-    {ShapeType::name, #name, sizeof(f32::Type), Polyhedron<f64::Type>, Implicit<f64::Type>},
+#define SHAPE(id, Type, name)                                                                  \
+    {ShapeType::name,    #name, sizeof(f32::Type), Polyhedron<f64::Type>, Prepared<f64::Type>, \
+     Implicit<f64::Type>},
 #include "primitives/catalog.h"
 #undef SHAPE
 };
+
+const ShapeRow* find_row(ShapeType type) {
+    for (const ShapeRow& row : rows) {
+        if (row.type == type) {
+            return &row;
+        }
+    }
+    return nullptr;
+}
 
 // Lengths above this square to more than float holds; no plant has them.
 constexpr double length_max = 1e9;
@@ -85,21 +95,18 @@ std::span<const ShapeRow> shape_table() {
 }
 
 std::string_view name(ShapeType type) {
-    for (const ShapeRow& row : rows) {
-        if (row.type == type) {
-            return row.name;
-        }
-    }
-    return "mesh";
+    const ShapeRow* row = find_row(type);
+    return row == nullptr ? "mesh" : row->name;
 }
 
 bool is_polyhedron(ShapeType type) {
-    for (const ShapeRow& row : rows) {
-        if (row.type == type) {
-            return row.polyhedron;
-        }
-    }
-    return false;
+    const ShapeRow* row = find_row(type);
+    return row != nullptr && row->polyhedron;
+}
+
+bool is_prepared(ShapeType type) {
+    const ShapeRow* row = find_row(type);
+    return row != nullptr && row->prepared;
 }
 
 std::string_view find_fault(const f64::Sphere& shape) {

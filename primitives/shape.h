@@ -26,6 +26,7 @@ struct ShapeRow {
     std::string_view name;
     std::size_t record_bytes;  // of the float parameters alone
     bool polyhedron;           // all faces are flat: drawn as its own triangles
+    bool prepared;             // has prepare() and hit_prepared()
     bool implicit;             // given by where value() vanishes
 };
 
@@ -33,6 +34,7 @@ struct ShapeRow {
 std::span<const ShapeRow> shape_table();
 std::string_view name(ShapeType type);
 bool is_polyhedron(ShapeType type);
+bool is_prepared(ShapeType type);
 
 constexpr std::size_t shape_type_count = 1
 #define SHAPE(id, Type, name) +1
@@ -55,6 +57,16 @@ template <class Shape>
 concept Polyhedron = requires(f64 kernel, Shape shape) {
     kernel.facet_normal(shape, 0);
 };
+
+// A shape whose hit() needs numbers of the shape alone that are dear to calculate.
+template <class Shape>
+concept Prepared = requires(f64 kernel, Shape shape) {
+    kernel.prepare(shape, 0);
+};
+
+// How many forms of ends primitives/arc.glsl has; programs count those that near the axis from here
+// on.
+constexpr int arc_forms = 4;
 
 // A shape that is given by where value() vanishes has no point(face, uv).
 template <class Shape>

@@ -130,6 +130,14 @@ vec3 point(Snout snout, int face, vec2 uv) {
     return mix(rim, end(snout, face - 1).centre, uv.y);
 }
 
+vec3 farthest(Snout snout, vec3 n) {
+    return farthest_of_box(bounds(snout), n);
+}
+
+bool suits_outline(Snout snout) {
+    return false;
+}
+
 int hull_rings(Snout snout) {
     return 2;
 }

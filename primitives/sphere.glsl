@@ -31,6 +31,14 @@ End end(Sphere sphere, int index) {
     return no_end();
 }
 
+vec3 farthest(Sphere sphere, vec3 n) {
+    return sphere.radius * normalize(n);
+}
+
+bool suits_outline(Sphere sphere) {
+    return true;
+}
+
 int hull_rings(Sphere sphere) {
     return 4;
 }

@@ -1,5 +1,8 @@
-// Tessellates any shape through its point() alone: steps by sagitta, normals by differences.
+// Tessellates any shape that has faces through its point() alone: steps by sagitta, normals by
+// differences.
 #include "primitives/tessellate.h"
+
+#include "primitives/tessellate_implicit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,12 +197,35 @@ Triangles tessellate_faces(const Shape& shape, double sagitta, int open_ends) {
     return triangles;
 }
 
+f64::Polynomial along(const f64::CubicSurface& shape, const glm::dvec3& p, const glm::dvec3& v) {
+    return f64().cubic_along(f64().coefficients(shape), p / shape.half_size, v / shape.half_size);
+}
+
+f64::Polynomial along(const f64::QuarticSurface& shape, const glm::dvec3& p, const glm::dvec3& v) {
+    return f64().quartic_along(f64().coefficients(shape), p / shape.half_size, v / shape.half_size);
+}
+
+template <class Shape>
+Triangles tessellate_zeros(const Shape& shape, double sagitta) {
+    ImplicitSurface surface;
+    surface.value = [&](const glm::dvec3& p) { return f64().value(shape, p); };
+    surface.gradient = [&](const glm::dvec3& p) { return f64().gradient(shape, p); };
+    surface.half_size = shape.half_size;
+    surface.row = [&](const glm::dvec3& p, const glm::dvec3& v, std::span<double> values) {
+        const f64::Polynomial line = along(shape, p, v);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = f64().value_at(line, double(i) / double(values.size() - 1));
+        }
+    };
+    return tessellate_implicit(surface, sagitta);
+}
+
 }  // namespace
 
 #define SHAPE(id, Type, name)                                                     \
     Triangles tessellate(const f64::Type& shape, double sagitta, int open_ends) { \
         if constexpr (Implicit<f64::Type>) {                                      \
-            return {};                                                            \
+            return tessellate_zeros(shape, sagitta);                              \
         } else {                                                                  \
             return tessellate_faces(shape, sagitta, open_ends);                   \
         }                                                                         \

@@ -1,4 +1,4 @@
-// Any shape as triangles, face by face, from its point() alone.
+// Any shape as triangles: face by face from its point() alone, or from where its value() vanishes.
 #pragma once
 
 #include "primitives/shape.h"
@@ -12,6 +12,7 @@ struct Triangles {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  // one for each position, unit, out of the solid
     std::vector<std::uint32_t> indices;
+    double deviation = 0.0;  // reached, of implicit surfaces; may be more than was asked for
 };
 
 // Triangles in the shape's frame that depart from its surface by at most the sagitta (metres, > 0);

@@ -51,6 +51,26 @@ vec3 point(Torus torus, int face, vec2 uv) {
     return disc_point(end(torus, face - 1), uv);
 }
 
+// On the spine: where it runs across n, or one of its ends.
+vec3 farthest(Torus torus, vec3 n) {
+    vec3 spine = farthest_of_disc(real(0), torus.bend_radius, n);
+    if (!is_ring(torus)) {
+        vec3 first = vec3(torus.bend_radius, 0, 0);
+        vec3 last = polar(torus.bend_radius, torus.arc, real(0));
+        real after_first = spine.y;
+        real before_last = last.y * spine.x - last.x * spine.y;
+        bool within = torus.arc > pi() ? after_first >= real(0) || before_last >= real(0)
+                                       : after_first >= real(0) && before_last >= real(0);
+        spine = within ? spine : farther(first, last, n);
+    }
+    return spine + torus.radius * normalize(n);
+}
+
+// A ring whose bore is small: a thin one's would be most of the polygon.
+bool suits_outline(Torus torus) {
+    return is_ring(torus) && torus.bend_radius < real(2.5) * torus.radius;
+}
+
 int hull_rings(Torus torus) {
     return arc_rings(torus.arc);
 }

@@ -6,12 +6,12 @@ const int marching_steps_max = 128;
 // Marches by the distance from the wall: Hart 1996, "Sphere tracing", as in de Toledo, Levy, Paul
 // 2007, section 4.3. With two starts the march goes on from the place nearest to the centre once
 // the distance grows. It stops beside the wall, so that a silhouette is fatter by the tolerance.
-Root march(Torus torus, vec3 p, vec3 v, Search search, bool two_starts) {
+Root march(Torus torus, Ray line, Search search, bool two_starts) {
     Root root = no_root(search.low, 0);
     real before = huge;
     for (int i = 0; i < marching_steps_max; ++i) {
         root.steps = i + 1;
-        real distance = abs(length(from_spine(torus, p + root.t * v)) - torus.radius);
+        real distance = abs(length(from_spine(torus, at(line, root.t))) - torus.radius);
         if (distance < search.tolerance) {
             root.found = root.t <= search.high;
             return root;

@@ -9,7 +9,9 @@ bool is_exact(int solver) {
 // The quartic along p + t v, |v| = 1, p . v = 0: with t measured from the point closest to the
 // centre it has no cubic term. Positive outside (reference: (|x|^2 - R^2 - r^2)^2 + 4 R^2 (z^2 -
 // r^2)).
-Polynomial torus_quartic(Torus torus, vec3 p, vec3 v, int solver) {
+Polynomial torus_quartic(Torus torus, Ray line, bool nears_axis, int solver) {
+    vec3 p = line.origin;
+    vec3 v = line.direction;
     real bend2 = torus.bend_radius * torus.bend_radius;
     real radius2 = torus.radius * torus.radius;
     real weight = real(4) * bend2;
@@ -18,7 +20,7 @@ Polynomial torus_quartic(Torus torus, vec3 p, vec3 v, int solver) {
     real m = q + bend2 - radius2;
     // Near the axis of a fat torus the same sum with the distance from the axis instead of the
     // height, (|x|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2), subtracts smaller numbers.
-    bool near_axis = m * m + weight * q < k * k + weight * radius2;
+    bool near_axis = nears_axis && q < radius2;
     real e = near_axis ? m * m - weight * (p.x * p.x + p.y * p.y)
                        : k * k + weight * (p.z * p.z - radius2);
     Polynomial f = polynomial(real(1), real(0), real(2) * k + weight * v.z * v.z,
@@ -46,21 +48,21 @@ bool is_inside(Torus torus, vec3 p) {
     return length(from_spine(torus, p)) < torus.radius;
 }
 
-Root first_wall_root(Torus torus, Ray line, real low, real high, int solver) {
-    vec3 p = line.origin;
-    vec3 v = line.direction;
+Root first_wall_root(Torus torus, Ray line, Span cut, ArcEnds ends, int solver) {
     Search search;
-    search.low = low;
-    search.high = high;
+    search.low = cut.enter;
+    search.high = cut.exit;
     search.tolerance = last_step() * torus.radius;
     search.scale = torus.bend_radius + torus.radius;
     search.resolution = line.pixel;
-    if (is_exact(solver)) {
+    search.starts_above = ends.form == arc_whole_from_outside;
+    if (is_exact(solver) && ends.nears_axis) {
         // Where the tube nearly meets the axis it bends far more sharply than its radius says.
-        search.tolerance = last_step() * clamp(length(p), real(0.001) * torus.radius, torus.radius);
+        search.tolerance =
+            last_step() * clamp(length(line.origin), real(0.001) * torus.radius, torus.radius);
     }
     if (solver == solver_sphere_tracing || solver == solver_sphere_tracing_two_ray) {
-        return march(torus, p, v, search, solver == solver_sphere_tracing_two_ray);
+        return march(torus, line, search, solver == solver_sphere_tracing_two_ray);
     }
-    return first_root(torus_quartic(torus, p, v, solver), search, solver);
+    return first_root(torus_quartic(torus, line, ends.nears_axis, solver), search, solver);
 }

@@ -25,8 +25,9 @@ void bind_culling(const SceneBuffers& scene) {
     bind_storage(gpu::binding_table, scene.table);
 }
 
-void cull(const SceneBuffers& scene, const std::array<GlProgram, 3>& programs) {
-    glCopyNamedBufferSubData(scene.empty_commands.name(), scene.commands.name(), 0, 0,
+void cull(const SceneBuffers& scene, const std::array<GlProgram, 3>& programs, Proxy proxy) {
+    const GlBuffer& empty = proxy == Proxy::box ? scene.box_commands : scene.empty_commands;
+    glCopyNamedBufferSubData(empty.name(), scene.commands.name(), 0, 0,
                              static_cast<GLsizeiptr>(scene.command_count * sizeof(gpu::Command)));
     for (const GlBuffer* buffer : {&scene.counts, &scene.table}) {
         glClearNamedBufferData(buffer->name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -116,7 +117,7 @@ void draw_parts(const SceneBuffers& scene, bool transparent) {
     draw_meshes(scene, transparent);
 }
 
-void clear(const Targets& targets) {
+void clear(const Targets& targets, bool has_translucent) {
     const GLuint no_part[4] = {gpu::no_part, 0, 0, 0};
     const GLuint no_normal[4] = {};
     const float farthest = 0.0f;
@@ -125,8 +126,10 @@ void clear(const Targets& targets) {
     glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 0, no_part);
     glClearNamedFramebufferuiv(targets.surfaces.name(), GL_COLOR, 1, no_normal);
     glClearNamedFramebufferfv(targets.surfaces.name(), GL_DEPTH, 0, &farthest);
-    glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 0, nothing);
-    glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 1, all_revealed);
+    if (has_translucent) {
+        glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 0, nothing);
+        glClearNamedFramebufferfv(targets.blending.name(), GL_COLOR, 1, all_revealed);
+    }
 }
 
 void draw_surfaces(const SceneBuffers& scene, const Targets& targets) {
@@ -152,6 +155,7 @@ void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram&
     glDisable(GL_CULL_FACE);
     glUseProgram(program.name());
     glUniform1i(0, see_through ? 1 : 0);
+    glUniform1i(1, scene.has_translucent ? 1 : 0);
     const GLuint pictures[] = {targets.parts.name(), targets.normals.name(), targets.depth.name(),
                                targets.translucent.name(), targets.revealed.name()};
     glBindTextures(0, 5, pictures);
@@ -163,7 +167,7 @@ void resolve(const SceneBuffers& scene, const Targets& targets, const GlProgram&
 }  // namespace
 
 void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
-                GLuint camera, bool transparent_background, bool lighting) {
+                GLuint camera, FrameOptions options) {
     glViewport(0, 0, targets.size.width, targets.size.height);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDepthFunc(GL_GREATER);
@@ -174,12 +178,14 @@ void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePr
     bind_storage(gpu::binding_part_materials, scene.part_materials);
     bind_storage(gpu::binding_materials, scene.materials);
 
-    cull(scene, programs.cull);
-    clear(targets);
+    cull(scene, programs.cull, options.proxy);
+    clear(targets, scene.has_translucent);
     draw_surfaces(scene, targets);
-    draw_translucent(scene, targets);
-    if (lighting) {
-        resolve(scene, targets, programs.resolve, transparent_background);
+    if (scene.has_translucent) {
+        draw_translucent(scene, targets);
+    }
+    if (options.lighting) {
+        resolve(scene, targets, programs.resolve, options.transparent_background);
     }
 }
 

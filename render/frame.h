@@ -14,8 +14,14 @@ struct FramePrograms {
     GlProgram resolve;
 };
 
+struct FrameOptions {
+    Proxy proxy = Proxy::automatic;
+    bool lighting = true;  // the pass that makes colours
+    bool transparent_background = false;
+};
+
 // Draws the scene into the targets, from the camera in the buffer (gpu::CameraBlock).
 void draw_frame(const SceneBuffers& scene, const Targets& targets, const FramePrograms& programs,
-                GLuint camera, bool transparent_background, bool lighting);
+                GLuint camera, FrameOptions options);
 
 }  // namespace quartic

@@ -14,7 +14,7 @@ static_assert(offsetof(gpu::BoundsBlock, layer) == offsetof(PackedBounds, layer)
 static_assert(sizeof(gpu::Command) == 32);
 static_assert(offsetof(gpu::CameraBlock, step) == 128);
 static_assert(offsetof(gpu::CameraBlock, orthographic) == 192);
-static_assert(sizeof(gpu::CameraBlock) == 224);
+static_assert(sizeof(gpu::CameraBlock) == 240);
 
 // A record is a placement and a shape, whose own alignment std430 rounds its size to: 64 bytes at
 // the most, but for surfaces that carry a polynomial.

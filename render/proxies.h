@@ -1,4 +1,5 @@
-// Index patterns of proxies: boxes of 8 vertices and hulls of rings of 8, for many parts at once.
+// Index patterns of proxies: quads, boxes of 8 vertices and hulls of rings of 8, for many parts at
+// once.
 #pragma once
 
 #include "render/gl_objects.h"
@@ -13,13 +14,14 @@ struct IndexRange {
     std::uint32_t count = 0;
 };
 
-// One index buffer with the patterns of a box and of hulls with 2, 3, 4, 7 and 13 rings, each
-// repeated for gpu::parts_per_instance parts: vertex v of part p is number p * vertices + v. Front
-// faces wind counter-clockwise seen from outside.
+// One index buffer with the patterns of a quad, a box, and hulls with 2, 3, 4, 7, 13 and 17 rings,
+// each repeated for gpu::parts_per_instance parts: vertex v of part p is number p * vertices + v.
+// Front faces wind counter-clockwise seen from outside.
 struct Proxies {
     GlBuffer indices;
+    IndexRange quad;
     IndexRange box;
-    std::map<int, IndexRange> hulls;  // by their number of rings
+    std::map<int, IndexRange> hulls;  // by their number of rings, or outline_rings
 };
 
 Proxies make_proxies();

@@ -38,7 +38,10 @@ gpu::CameraBlock camera_block(const View& view, const RenderOptions& options) {
         block.layer_mask |= options.layers[i] ? 1u << i : 0u;
     }
     block.cull_frustum = options.cull_frustum ? 1u : 0u;
-    block.unused_0 = options.proxy == Proxy::box ? 1u : 0u;
+    block.height = static_cast<float>(2.0 * block.half_height * view.step);
+    block.near_from_focus = static_cast<float>(view.near_m - view.focus_m);
+    block.near_from_eye = static_cast<float>(view.near_m);
+    block.proxy = static_cast<std::uint32_t>(options.proxy);
     block.selected = options.selected;
     block.edges = options.edges ? 1u : 0u;
     block.occlusion = options.occlusion ? 1u : 0u;
@@ -67,6 +70,9 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
                       picture.ray_origins.data());
     glGetTextureImage(targets.ray_directions.name(), 0, GL_RGBA, GL_FLOAT, bytes,
                       picture.ray_directions.data());
+    picture.ray_pixels.resize(pixels);
+    glGetTextureImage(targets.ray_pixels.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(4 * pixels), picture.ray_pixels.data());
     std::vector<std::uint32_t> counts(pixels);
     glGetTextureImage(targets.counts.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       static_cast<GLsizei>(4 * pixels), counts.data());
@@ -75,6 +81,48 @@ void read_inspection(const InspectionTargets& targets, GBuffer& picture) {
         picture.steps.push_back(static_cast<std::uint16_t>(std::min(count & steps_mask, 0xffffu)));
         picture.rays.push_back(static_cast<std::uint16_t>(count >> gpu::ray_shift));
     }
+}
+
+ProgramKey key_of(const PrimitiveVariant& variant) {
+    return {static_cast<int>(variant.type),
+            variant.solver,
+            variant.form,
+            variant.hull_rings,
+            variant.transparent,
+            static_cast<int>(variant.pass),
+            variant.inspect};
+}
+
+std::span<const Pass> passes_of(ShapeType type) {
+    static constexpr Pass passes[] = {Pass::front, Pass::near};
+    return std::span(passes).first(type == ShapeType::mesh ? 1 : 2);
+}
+
+std::vector<PrimitiveVariant> variants_of(const Packed& packed) {
+    std::vector<PrimitiveVariant> variants;
+    for (const Batch& batch : packed.batches) {
+        variants.push_back({.type = batch.type,
+                            .solver = batch.solver,
+                            .form = batch.form,
+                            .hull_rings = batch.hull_rings,
+                            .transparent = batch.transparent});
+    }
+    return variants;
+}
+
+Looks looks_of(const RenderOptions& options) {
+    return {options.solver, options.opaque, options.inspect};
+}
+
+// A batch's variant as the looks and the pass have it.
+PrimitiveVariant seen_as(PrimitiveVariant variant, const Looks& looks, Pass pass) {
+    variant.pass = pass;
+    variant.transparent = variant.transparent && !looks.opaque;
+    variant.inspect = looks.inspect && casts_rays(variant);
+    if (looks.solver != 0) {
+        variant.solver = solver_for(name(variant.type), looks.solver);
+    }
+    return variant;
 }
 
 }  // namespace
@@ -99,11 +147,8 @@ struct Renderer::State {
         }
     }
 
-    Result<GLuint> program_of(PrimitiveVariant variant) {
-        variant.inspect = variant.inspect && casts_rays(variant);
-        const auto key =
-            std::tuple(static_cast<int>(variant.type), variant.solver, variant.hull_rings,
-                       variant.transparent, static_cast<int>(variant.pass), variant.inspect);
+    Result<GLuint> program_of(const PrimitiveVariant& variant) {
+        const ProgramKey key = key_of(variant);
         const auto known = scene.programs.find(key);
         if (known != scene.programs.end()) {
             return known->second.name();
@@ -121,28 +166,35 @@ struct Renderer::State {
     // Gives every draw its programs; those that are new are compiled, and all are kept.
     Status choose_programs(const Looks& wanted) {
         looks = wanted;
+        scene.has_translucent = false;
         for (std::size_t i = 0; i < variants.size(); ++i) {
-            PrimitiveVariant variant = variants[i];
-            variant.inspect = looks.inspect;
-            variant.transparent = variant.transparent && !looks.opaque;
-            if (looks.solver != 0 && has_solvers(name(variant.type))) {
-                variant.solver = looks.solver;
+            DrawBatch& draw = scene.draws[i];
+            draw.transparent = variants[i].transparent && !looks.opaque;
+            scene.has_translucent = scene.has_translucent || draw.transparent;
+            for (const Pass pass : passes_of(variants[i].type)) {
+                const Result<GLuint> program = program_of(seen_as(variants[i], looks, pass));
+                if (!program) {
+                    return program.error();
+                }
+                (pass == Pass::front ? draw.front_program : draw.near_program) = program.value();
             }
-            scene.draws[i].transparent = variant.transparent;
-            Result<GLuint> front = program_of(variant);
-            if (!front) {
-                return front.error();
-            }
-            scene.draws[i].front_program = front.value();
-            variant.pass = Pass::near;
-            Result<GLuint> near =
-                variant.type == ShapeType::mesh ? Result<GLuint>(0u) : program_of(variant);
-            if (!near) {
-                return near.error();
-            }
-            scene.draws[i].near_program = near.value();
         }
         return Done{};
+    }
+
+    // Compiles the first program that is missing, and tells whether none is.
+    Result<bool> prepare(std::span<const PrimitiveVariant> packed, const Looks& wanted) {
+        for (const PrimitiveVariant& variant : packed) {
+            for (const Pass pass : passes_of(variant.type)) {
+                const PrimitiveVariant seen = seen_as(variant, wanted, pass);
+                if (scene.programs.contains(key_of(seen))) {
+                    continue;
+                }
+                const Result<GLuint> made = program_of(seen);
+                return made ? Result<bool>(false) : made.error();
+            }
+        }
+        return true;
     }
 };
 
@@ -183,11 +235,7 @@ Status Renderer::load(const Packed& packed) {
     scene.programs = std::move(state_->scene.programs);
     state_->scene = std::move(scene);
     state_->box = packed.box;
-    state_->variants.clear();
-    for (const Batch& batch : packed.batches) {
-        state_->variants.push_back(
-            {batch.type, batch.solver, batch.hull_rings, batch.transparent, Pass::front, false});
-    }
+    state_->variants = variants_of(packed);
     const Status chosen = state_->choose_programs({});
     if (!chosen) {
         return chosen;
@@ -197,6 +245,14 @@ Status Renderer::load(const Packed& packed) {
     }
     state_->collect_errors("load");
     return Done{};
+}
+
+Result<bool> Renderer::prepare(const RenderOptions& options) {
+    return state_->prepare(state_->variants, looks_of(options));
+}
+
+Result<bool> Renderer::prepare(const Packed& packed, const RenderOptions& options) {
+    return state_->prepare(variants_of(packed), looks_of(options));
 }
 
 Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions& options) {
@@ -214,7 +270,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
     }
     const gpu::CameraBlock block = camera_block(state_->view, options);
     glNamedBufferSubData(state_->camera.name(), 0, sizeof(block), &block);
-    const Looks looks{options.solver, options.opaque, options.inspect};
+    const Looks looks = looks_of(options);
     if (state_->looks != looks) {
         const Status chosen = state_->choose_programs(looks);
         if (!chosen) {
@@ -232,7 +288,7 @@ Status Renderer::draw(const Camera& camera, PixelSize size, const RenderOptions&
         begin_inspection(state_->inspection);
     }
     draw_frame(state_->scene, state_->targets, state_->programs, state_->camera.name(),
-               options.transparent_background, options.lighting);
+               {options.proxy, options.lighting, options.transparent_background});
     if (options.inspect) {
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     }

@@ -4,6 +4,7 @@
 
 #include "diagnostics/result.h"
 #include "scene/compare.h"
+#include "scene/gpu_layout.h"
 #include "scene/pack.h"
 
 #include <array>
@@ -15,7 +16,13 @@
 
 namespace quartic {
 
-enum class Proxy { automatic, box, quad, hull };
+// What is rasterised to start the rays of a part.
+enum class Proxy : std::uint32_t {
+    automatic = gpu::proxy_automatic,  // by apparent size
+    box = gpu::proxy_box,              // its own box, as de Toledo, Levy, Paul 2007 draw it
+    quad = gpu::proxy_quad,            // four edges in the picture that touch it
+    hull = gpu::proxy_hull,            // rings of eight corners around it
+};
 
 struct RenderOptions {
     std::array<bool, layer_count> layers{true, true, true, false};
@@ -24,7 +31,7 @@ struct RenderOptions {
     double size_min_px = 0.3;  // parts that appear smaller are not drawn (cull_size)
     bool edges = true;
     bool occlusion = true;  // ambient occlusion
-    bool lighting = true;
+    bool lighting = true;   // without it colours are left as they are: for benchmarks of rays
     Proxy proxy = Proxy::automatic;
     bool transparent_background = false;
     std::uint32_t selected = no_index;  // part drawn highlighted
@@ -57,6 +64,7 @@ struct GBuffer {
     std::vector<std::uint16_t> rays;        // solved in the pixel
     std::vector<glm::vec4> ray_origins;     // the last ray, local to its part: origin, first
     std::vector<glm::vec4> ray_directions;  // direction, and t, or -1e18 where the ray missed
+    std::vector<float> ray_pixels;          // Ray::pixel
 };
 
 // What the oracle can judge of it; valid as long as the buffer is.
@@ -73,6 +81,11 @@ public:
 
     // Uploads a packed scene, replacing the one before, and compiles its (shape, solver) programs.
     Status load(const Packed& packed);
+
+    // Compiles at most one program that drawing like this needs, of the loaded scene or of one that
+    // is to be loaded, and tells whether all are there: for a window that must stay live.
+    Result<bool> prepare(const RenderOptions& options);
+    Result<bool> prepare(const Packed& packed, const RenderOptions& options);
 
     // Draws into the renderer's own targets of this size.
     Status draw(const Camera& camera, PixelSize size, const RenderOptions& options);

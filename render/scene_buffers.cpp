@@ -4,6 +4,7 @@
 #include "scene/gpu_layout.h"
 
 #include <algorithm>
+#include <span>
 
 namespace quartic {
 namespace {
@@ -45,6 +46,20 @@ std::vector<BoundsPage> bounds_pages(const Packed& packed) {
     return pages;
 }
 
+// The commands with small parts drawn by their boxes instead of quads.
+std::vector<gpu::Command> with_boxes(std::vector<gpu::Command> commands,
+                                     std::span<const gpu::BatchBlock> batches,
+                                     const IndexRange& box) {
+    for (const gpu::BatchBlock& batch : batches) {
+        if (batch.drawn_as == gpu::drawn_as_rays || batch.drawn_as == gpu::drawn_as_outline) {
+            gpu::Command& small = commands[batch.first_command + gpu::command_small];
+            small.index_count = box.count;
+            small.first_index = box.first;
+        }
+    }
+    return commands;
+}
+
 gpu::Command proxy_command(const IndexRange& range) {
     gpu::Command command{};
     command.index_count = range.count;
@@ -52,11 +67,14 @@ gpu::Command proxy_command(const IndexRange& range) {
     return command;
 }
 
-std::uint32_t drawn_as(ShapeType type) {
-    if (type == ShapeType::mesh) {
+std::uint32_t drawn_as(const Batch& batch) {
+    if (batch.type == ShapeType::mesh) {
         return gpu::drawn_as_mesh;
     }
-    return is_polyhedron(type) ? gpu::drawn_as_polyhedron : gpu::drawn_as_rays;
+    if (is_polyhedron(batch.type)) {
+        return gpu::drawn_as_polyhedron;
+    }
+    return batch.hull_rings == outline_rings ? gpu::drawn_as_outline : gpu::drawn_as_rays;
 }
 
 void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& scene) {
@@ -67,7 +85,7 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
     for (const Batch& batch : packed.batches) {
         const auto first_command = static_cast<std::uint32_t>(commands.size());
         const bool is_mesh = batch.type == ShapeType::mesh;
-        blocks.push_back({first, batch.count, first_command, drawn_as(batch.type)});
+        blocks.push_back({first, batch.count, first_command, drawn_as(batch)});
         first += batch.count;
         if (is_mesh) {
             for (std::uint32_t i = 0; i < batch.count; ++i) {
@@ -80,7 +98,8 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
                 commands.push_back(command);
             }
         } else {
-            commands.push_back(proxy_command(proxies.box));
+            commands.push_back(
+                proxy_command(is_polyhedron(batch.type) ? proxies.box : proxies.quad));
             commands.push_back(proxy_command(proxies.hulls.at(batch.hull_rings)));
             commands.push_back(proxy_command(proxies.box));
         }
@@ -90,6 +109,7 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
     }
     scene.batches = upload_array(blocks, scene);
     scene.empty_commands = upload_array(commands, scene);
+    scene.box_commands = upload_array(with_boxes(commands, blocks, proxies.box), scene);
     scene.commands = upload_array(commands, scene);
     scene.command_count = static_cast<std::uint32_t>(commands.size());
     scene.visible = make_empty_buffer(std::size_t{first} * 4);

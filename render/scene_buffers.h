@@ -30,6 +30,9 @@ struct BoundsPage {
     std::uint32_t bounds_count = 0;
 };
 
+// (type, solver, form, hull rings, transparent, pass, inspect)
+using ProgramKey = std::tuple<int, int, int, int, bool, int, bool>;
+
 struct SceneBuffers {
     GlBuffer chunks;
     GlBuffer bounds;
@@ -38,6 +41,7 @@ struct SceneBuffers {
     GlBuffer near_parts;
     GlBuffer commands;
     GlBuffer empty_commands;  // copied over the commands at the start of each frame
+    GlBuffer box_commands;    // the same, with small parts drawn by their boxes
     GlBuffer counts;
     GlBuffer decisions;
     GlBuffer table;
@@ -48,12 +52,12 @@ struct SceneBuffers {
     GlVertexArray mesh_array;
     GlVertexArray proxy_array;
     std::vector<DrawBatch> draws;
+    bool has_translucent = false;  // any of them
     std::vector<BoundsPage> pages;
     std::uint32_t command_count = 0;
     std::uint32_t chunk_count = 0;
     std::uint64_t bytes = 0;
-    // (type, solver, hull rings, transparent, pass, inspect)
-    std::map<std::tuple<int, int, int, bool, int, bool>, GlProgram> programs;
+    std::map<ProgramKey, GlProgram> programs;
 };
 
 SceneBuffers upload(const Packed& packed, const Proxies& proxies);

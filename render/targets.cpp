@@ -52,6 +52,7 @@ InspectionTargets make_inspection_targets(PixelSize size) {
     targets.counts = make_texture(GL_R32UI, size.width, size.height);
     targets.ray_origins = make_texture(GL_RGBA32F, size.width, size.height);
     targets.ray_directions = make_texture(GL_RGBA32F, size.width, size.height);
+    targets.ray_pixels = make_texture(GL_R32F, size.width, size.height);
     return targets;
 }
 
@@ -60,12 +61,15 @@ void begin_inspection(const InspectionTargets& targets) {
     for (const GlTexture* texture : {&targets.ray_origins, &targets.ray_directions}) {
         glClearTexImage(texture->name(), 0, GL_RGBA, GL_FLOAT, nullptr);
     }
-    glBindImageTexture(gpu::image_counts, targets.counts.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
-                       GL_R32UI);
-    glBindImageTexture(gpu::image_ray_origins, targets.ray_origins.name(), 0, GL_FALSE, 0,
-                       GL_WRITE_ONLY, GL_RGBA32F);
-    glBindImageTexture(gpu::image_ray_directions, targets.ray_directions.name(), 0, GL_FALSE, 0,
-                       GL_WRITE_ONLY, GL_RGBA32F);
+    glClearTexImage(targets.ray_pixels.name(), 0, GL_RED, GL_FLOAT, nullptr);
+    const auto bind = [](int unit, const GlTexture& texture, GLenum access, GLenum format) {
+        glBindImageTexture(static_cast<GLuint>(unit), texture.name(), 0, GL_FALSE, 0, access,
+                           format);
+    };
+    bind(gpu::image_counts, targets.counts, GL_READ_WRITE, GL_R32UI);
+    bind(gpu::image_ray_origins, targets.ray_origins, GL_WRITE_ONLY, GL_RGBA32F);
+    bind(gpu::image_ray_directions, targets.ray_directions, GL_WRITE_ONLY, GL_RGBA32F);
+    bind(gpu::image_ray_pixels, targets.ray_pixels, GL_WRITE_ONLY, GL_R32F);
 }
 
 }  // namespace quartic

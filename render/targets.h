@@ -27,6 +27,7 @@ struct InspectionTargets {
     GlTexture counts;          // R32UI: rays and steps
     GlTexture ray_origins;     // RGBA32F: origin, first
     GlTexture ray_directions;  // RGBA32F: direction, t
+    GlTexture ray_pixels;      // R32F: a pixel's width
 };
 
 InspectionTargets make_inspection_targets(PixelSize size);

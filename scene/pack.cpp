@@ -102,8 +102,28 @@ Float narrow(const Double& shape) {
 struct FloatShape {
     float scalars[36];
     std::uint32_t bytes = 0;
+    int form = 0;
     int hull_rings = 2;
 };
+
+// Hulls with a few more rings than they need share a batch.
+template <class Shape>
+int rings_of(const Shape& shape) {
+    if (f32().suits_outline(shape)) {
+        return outline_rings;
+    }
+    const int rings = f32().hull_rings(shape);
+    return rings <= 4 ? rings : rings <= 7 ? 7 : rings <= 13 ? 13 : 17;
+}
+
+template <class Shape>
+int form_of(const Shape& shape, int open_ends) {
+    if constexpr (requires { f32().prepare(shape, open_ends); }) {
+        const f32::ArcEnds ends = f32().prepare(shape, open_ends);
+        return ends.form + (ends.nears_axis ? arc_forms : 0);
+    }
+    return 0;
+}
 
 FloatShape float_shape(const Scene& scene, const Part& part) {
     FloatShape result{};
@@ -115,7 +135,8 @@ FloatShape float_shape(const Scene& scene, const Part& part) {
         const f32::Type shape = narrow<f32::Type>(scene.shapes.name[part.shape]); \
         std::memcpy(result.scalars, &shape, sizeof(shape));                       \
         result.bytes = sizeof(shape);                                             \
-        result.hull_rings = f32().hull_rings(shape);                              \
+        result.hull_rings = rings_of(shape);                                      \
+        result.form = form_of(shape, part.open_ends);                             \
     }
 #include "primitives/catalog.h"
 #undef SHAPE
@@ -192,13 +213,9 @@ private:
             part.material < scene_.materials.size() ? &scene_.materials[part.material] : nullptr;
         const bool transparent =
             !options_.transparent_as_opaque && material != nullptr && material->colour.a < 1.0f;
-        int solver = solver_of(scene_, part, options_.solver, options_.material_solvers);
-        // Shapes without a choice share one program.
-        if (!has_solvers(name(part.type))) {
-            solver = solver_default;
-        }
-        const int rings = shape.hull_rings <= 4 ? shape.hull_rings : shape.hull_rings <= 7 ? 7 : 13;
-        const auto key = std::tuple(part.type, solver, transparent, rings);
+        const int solver = solver_of(scene_, part, options_.solver, options_.material_solvers);
+        const int rings = shape.hull_rings;
+        const auto key = std::tuple(part.type, solver, transparent, shape.form, rings);
         const auto known = batch_index_.find(key);
         const auto bytes = static_cast<std::uint32_t>(sizeof(gpu::Placement)) + shape.bytes;
         if (known != batch_index_.end()) {
@@ -212,7 +229,7 @@ private:
         CHECK(index < batches_max);
         batch_index_[key] = index;
         return packed_.batches.emplace_back(
-            Batch{part.type, solver, transparent, rings, 0, bytes, {}});
+            Batch{part.type, solver, transparent, shape.form, rings, 0, bytes, {}});
     }
 
     void add(std::uint32_t id) {
@@ -275,7 +292,7 @@ private:
     const PackOptions& options_;
     Packed packed_;
     Grid grid_{};
-    std::map<std::tuple<ShapeType, int, bool, int>, std::uint32_t> batch_index_;
+    std::map<std::tuple<ShapeType, int, bool, int, int>, std::uint32_t> batch_index_;
     std::map<std::uint32_t, std::vector<std::uint32_t>> mesh_parts_;
 };
 

@@ -28,13 +28,17 @@ struct PackedBounds {
 };
 static_assert(sizeof(PackedBounds) == 32);
 
+// Stands for rings where large parts are drawn from polygons around their outlines in the picture.
+constexpr int outline_rings = 1;
+
 // Records of one shape, one solver and one kind of drawing. Each record is a gpu::Placement and the
 // float shape.
 struct Batch {
     ShapeType type = ShapeType::mesh;
     int solver = 0;
     bool transparent = false;
-    int hull_rings = 2;  // most rings that a proxy of the batch needs
+    int form = 0;        // of Prepared shapes: how programs count their ends (arc_forms)
+    int hull_rings = 2;  // most rings that a hull of the batch needs, or outline_rings
     std::uint32_t count = 0;
     std::uint32_t record_bytes = 0;
     std::vector<std::byte> records;

@@ -72,16 +72,13 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
 
 int solver_of(const Scene& scene, const Part& part, int everywhere,
               std::span<const int> of_materials) {
-    if (everywhere != 0) {
-        return everywhere;
+    int chosen = everywhere;
+    if (chosen == 0 && part.material < of_materials.size()) {
+        chosen = of_materials[part.material];
+    } else if (chosen == 0 && part.material < scene.materials.size()) {
+        chosen = scene.materials[part.material].solver;
     }
-    int own = 0;
-    if (part.material < of_materials.size()) {
-        own = of_materials[part.material];
-    } else if (part.material < scene.materials.size()) {
-        own = scene.materials[part.material].solver;
-    }
-    return own != 0 ? own : solver_default;
+    return solver_for(name(part.type), chosen);
 }
 
 std::string path_of(const Scene& scene, std::uint32_t node) {

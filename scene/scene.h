@@ -123,7 +123,8 @@ Box3 world_bounds(const Scene& scene, const std::array<bool, layer_count>& layer
 std::vector<Box3> part_boxes(const Scene& scene, const std::array<bool, layer_count>& layers);
 
 // The solver that a part is drawn with: the one for everything, or, where that is 0, its
-// material's, or the default. of_materials: what stands for the materials' own, if not empty.
+// material's; the default where that does not work on its shape. of_materials: what stands for the
+// materials' own, if not empty.
 int solver_of(const Scene& scene, const Part& part, int everywhere,
               std::span<const int> of_materials = {});
 

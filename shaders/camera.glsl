@@ -8,25 +8,19 @@ layout(std140, binding = binding_camera) uniform CameraUniform {
 // Reversed: 1 at the near plane, 0 at infinity. Orthographic depths are counted from the focus:
 // before it linear, behind it as in perspective, with the picture's height for a unit, so that
 // float keeps its digits where one looks, however far away the eye is. A convex function of depth.
-float picture_height() {
-    return float(2.0 * camera.half_height * camera.step);
-}
-
-float near_from_focus() {
-    return float(camera.near_depth - camera.focus_depth);
-}
-
 float buffer_depth(float depth) {
-    float height = picture_height();
-    return camera.orthographic != 0 ? focused(depth / height) / focused(near_from_focus() / height)
-                                    : float(camera.near_depth) / depth;
+    if (camera.orthographic != 0) {
+        return focused(depth / camera.height) / focused(camera.near_from_focus / camera.height);
+    }
+    return camera.near_from_eye / depth;
 }
 
 float depth_from_buffer(float value) {
-    float height = picture_height();
-    return camera.orthographic != 0
-               ? height * unfocused(value * focused(near_from_focus() / height))
-               : float(camera.near_depth) / value;
+    if (camera.orthographic != 0) {
+        float nearest = focused(camera.near_from_focus / camera.height);
+        return camera.height * unfocused(value * nearest);
+    }
+    return camera.near_from_eye / value;
 }
 
 // Clip coordinates of a world point given relative to the eye. In orthographic views their depth

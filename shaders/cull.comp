@@ -22,7 +22,7 @@ layout(location = 1) uniform uint first_bounds;
 
 // Parts that appear larger than this are rasterised by their hulls, which cost more vertices and
 // fewer pixels.
-const float hull_size_min_px = 24.0;
+const float hull_size_min_px = 96.0;
 
 // A box relative to the eye: depth of its centre and half extent along the view.
 struct Seen {
@@ -69,6 +69,19 @@ Seen look_at(vec3 centre, vec3 half_size) {
     return seen;
 }
 
+// By its size, unless one kind of proxy is asked for. A polygon before a part that is very near
+// could reach behind the near plane.
+int ray_proxy(BatchBlock batch, Seen seen) {
+    if (camera.proxy == proxy_box) {
+        return command_small;
+    }
+    bool large = camera.proxy == proxy_automatic && seen.size_px > hull_size_min_px;
+    bool close = camera.orthographic == 0 && seen.nearest_depth < 4.0 * camera.near_from_eye;
+    bool hull = large || close || camera.proxy == proxy_hull;
+    return hull ? (close && batch.drawn_as == drawn_as_outline ? command_near : command_hull)
+                : command_small;
+}
+
 // The proxy that the part is drawn by, as a column of the table of counts; no_column for meshes,
 // whose draws are switched on right here.
 uint column_of(uint locator, Seen seen) {
@@ -77,14 +90,14 @@ uint column_of(uint locator, Seen seen) {
         commands[batch.first_command + index_in_batch(locator)].instance_count = 1u;
         return no_column;
     }
-    int kind = command_box;
+    int kind = command_small;
     // Facets have linear depths, as perspective needs them.
     bool facets = batch.drawn_as == drawn_as_polyhedron;
     float near_depth = float(camera.near_depth) + 0.001 * abs(float(camera.near_depth));
     if (seen.nearest_depth <= near_depth || (facets && camera.orthographic != 0)) {
         kind = command_near;
-    } else if (camera.unused_0 == 0u && seen.size_px > hull_size_min_px && !facets) {
-        kind = command_hull;
+    } else if (!facets) {
+        kind = ray_proxy(batch, seen);
     }
     return (locator >> locator_shift) * uint(commands_per_batch) + uint(kind);
 }

@@ -37,11 +37,20 @@ struct CameraBlock {
     float size_min_px;  // smaller parts are culled; 0: none
     uint layer_mask;    // bit i: layer i is visible
     uint cull_frustum;
-    uint unused_0;
+    uint proxy;     // one of proxy_...
     uint selected;  // part drawn highlighted, or all ones
     uint edges;
     uint occlusion;
+    float height;           // of the picture: at depth 1, or in metres in orthographic projection
+    float near_from_focus;  // the near plane's depth as pixels need it
+    float near_from_eye;
+    uint unused_0;
 };
+
+const uint proxy_automatic = 0u;
+const uint proxy_box = 1u;
+const uint proxy_quad = 2u;
+const uint proxy_hull = 3u;
 
 struct ChunkBlock {
     double x;  // origin in the world
@@ -74,12 +83,15 @@ struct Command {
     uint unused_0;
     uint unused_1;
 };
-// The commands of a batch: small parts by their boxes, large ones by their hulls, those at the near
-// plane from inside.
-const int command_box = 0;
+// The commands of a batch: small parts by quads (polyhedra, or all if asked for, by their boxes),
+// large ones by their hulls, those at the near plane by their boxes from inside.
+const int command_small = 0;
 const int command_hull = 1;
 const int command_near = 2;
 const int commands_per_batch = 3;
+
+// Corners of such a polygon.
+const int outline_corners = 12;
 
 // Instances of an indirect draw hold this many parts each: single parts would each cost a driver a
 // draw.
@@ -92,8 +104,9 @@ struct BatchBlock {
     uint drawn_as;  // one of the three below
 };
 
-const uint drawn_as_rays = 0u;
+const uint drawn_as_rays = 0u;        // small parts from quads, large ones from hulls
 const uint drawn_as_mesh = 1u;        // one command a part instead of three a batch
+const uint drawn_as_outline = 3u;     // rays; large parts from polygons around their outlines
 const uint drawn_as_polyhedron = 2u;  // by its own facets, wherever the near plane does not cut it
 
 struct CountsBlock {
@@ -121,6 +134,7 @@ const int binding_table = 11;
 const int image_counts = 0;  // r32ui: rays << ray_shift | steps of all rays of the pixel
 const int image_ray_origins = 1;
 const int image_ray_directions = 2;
+const int image_ray_pixels = 3;
 const uint ray_shift = 20u;
 
 const uint no_part = 0xffffffffu;

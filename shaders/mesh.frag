@@ -10,7 +10,7 @@ in float depth;
 
 void main() {
     bool parallel = camera.orthographic != 0;
-    if (parallel && depth < near_from_focus()) {
+    if (parallel && depth < camera.near_from_focus) {
         discard;
     }
     gl_FragDepth = parallel ? buffer_depth(depth) : gl_FragCoord.z;

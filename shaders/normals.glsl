@@ -6,7 +6,8 @@ vec2 signs(vec2 v) {
 uint packed_normal(vec3 n) {
     vec2 flat_n = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
     vec2 folded = n.z >= 0.0 ? flat_n : (1.0 - abs(flat_n.yx)) * signs(flat_n);
-    return packSnorm2x16(folded);
+    ivec2 whole = ivec2(floor(folded * 32767.0 + 0.5));  // |folded| <= 1: no clamp is needed
+    return uint(whole.x & 0xffff) | uint(whole.y) << 16;
 }
 
 vec3 normal_from(uint bits) {

@@ -1,5 +1,5 @@
-// Solves one pixel of one part. Defines: THIS_SHAPE, THIS_SOLVER, [NEAR], [TRANSPARENT],
-// [INSPECT].
+// Solves one pixel of one part. Defines: THIS_SHAPE, THIS_SOLVER, [THIS_FORM], [NEAR],
+// [TRANSPARENT], [INSPECT].
 #include "shaders/layout.glsl"
 #include "shaders/kernel.glsl"
 #include "shaders/camera.glsl"
@@ -9,16 +9,8 @@
 #include "shaders/inspect.glsl"
 #endif
 
-struct Record {
-    Placement placement;
-    THIS_SHAPE shape;
-};
-layout(std430, binding = binding_records) readonly buffer Records {
-    Record records[];
-};
-
-flat in RaySetup setup;
-flat in uint record_index;
+#define PART_INTERFACE in
+#include "shaders/part_interface.glsl"
 
 #if !defined(NEAR)
 // The proxy's front faces lie before the surface: what fails the depth test there fails it
@@ -27,23 +19,29 @@ layout(depth_less) out float gl_FragDepth;
 #endif
 
 void main() {
-    Placement placement = records[record_index].placement;
     Ray ray = ray_of(setup, gl_FragCoord.xy);
-    Hit found = hit(records[record_index].shape, ray, int(placement.bits & open_ends_mask),
-                    THIS_SOLVER);
+    int open_ends = int(part_and_bits.y & open_ends_mask);
+#ifdef THIS_FORM
+    ArcEnds ends;
+    ends.planes = part_planes;
+    ends.form = THIS_FORM % 4;
+    ends.nears_axis = THIS_FORM >= 4;
+    ends.open = open_ends;
+    Hit found = hit_prepared(part_shape, ends, ray, THIS_SOLVER);
+#else
+    Hit found = hit(part_shape, ray, open_ends, THIS_SOLVER);
+#endif
 #ifdef INSPECT
     record_ray(ray, found);
 #endif
     if (!found.found) {
         discard;
     }
-    vec4 rotation = rotation_of(placement.turn_a, placement.turn_b, placement.turn_c,
-                                int(placement.bits >> rotation_largest_shift) & 3);
     float value = buffer_depth(setup.depth + found.t);
 #if !defined(NEAR)
     // Rounding must not break the promise above.
     value = min(value, gl_FragCoord.z);
 #endif
     gl_FragDepth = value;
-    put_surface(placement.part, turn(rotation, found.normal));
+    put_surface(part_and_bits.x, turn(part_rotation, found.normal));
 }

@@ -10,8 +10,8 @@ struct RaySetup {
     vec3 direction;  // for one metre of depth
     vec3 step_x;     // of the direction (perspective) or the origin (orthographic) for one pixel
     vec3 step_y;
-    vec2 pixel;   // the reference pixel's centre
-    float depth;  // the reference depth, from the focus
+    vec2 pixel;        // the reference pixel's centre
+    float depth;       // the reference depth, from the focus
     float pixel_size;  // a pixel's width at the reference depth
 };
 
@@ -22,7 +22,7 @@ Ray ray_of(RaySetup setup, vec2 pixel) {
     Ray ray;
     ray.origin = setup.origin + (parallel ? offset : setup.depth * offset);
     ray.direction = setup.direction + (parallel ? vec3(0.0) : offset);
-    ray.first = near_from_focus() - setup.depth;
+    ray.first = camera.near_from_focus - setup.depth;
     ray.pixel = setup.pixel_size;
     return ray;
 }

@@ -104,6 +104,7 @@ vec3 surface_colour(ivec2 pixel, uint part) {
 }
 
 layout(location = 0) uniform bool see_through_background;
+layout(location = 1) uniform bool has_translucent;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -111,7 +112,7 @@ void main() {
     bool empty = part == no_part;
     vec3 colour = empty ? background(pixel) : surface_colour(pixel, part);
     float alpha = empty && see_through_background ? 0.0 : 1.0;
-    float revealed = texelFetch(revealed_picture, pixel, 0).r;
+    float revealed = has_translucent ? texelFetch(revealed_picture, pixel, 0).r : 1.0;
     if (revealed < 1.0) {
         vec4 sum = texelFetch(translucent_picture, pixel, 0);
         colour = mix(sum.rgb / max(sum.a, 1e-6), colour, revealed);

@@ -35,10 +35,22 @@ std::string defines_of(const PrimitiveVariant& variant) {
     } else if (variant.inspect) {
         defines += "#define INSPECT\n";
     }
+    if (is_prepared(variant.type)) {
+        // Parts whose box the near plane cuts are drawn by the other pass.
+        const bool from_outside =
+            variant.form % arc_forms == f32().arc_whole && variant.pass != Pass::near;
+        const int form = variant.form + (from_outside ? 1 : 0);
+        defines += "#define THIS_FORM " + std::to_string(form) + "\n";
+    }
     defines += "#define THIS_SHAPE " + std::string(glsl_type(variant.type)) + "\n";
     defines += "#define THIS_SOLVER " + std::to_string(variant.solver) + "\n";
     defines += "#define HULL_RINGS " + std::to_string(variant.hull_rings) + "\n";
     return defines;
+}
+
+PrimitiveVariant in_pass(PrimitiveVariant variant, Pass pass) {
+    variant.pass = pass;
+    return variant;
 }
 
 }  // namespace
@@ -84,16 +96,25 @@ std::vector<NamedText> all_shader_texts() {
     };
     for (const bool transparent : {false, true}) {
         const std::string suffix = transparent ? "-transparent" : "";
-        add("mesh" + suffix, {ShapeType::mesh, 0, 2, transparent, Pass::front});
+        add("mesh" + suffix, {.type = ShapeType::mesh, .transparent = transparent});
         for (const ShapeRow& shape : shape_table()) {
             for (const SolverRow& solver : solver_table()) {
-                if (solver.id != solver_default && !has_solvers(shape.name)) {
+                if (solver_for(shape.name, solver.id) != solver.id) {
                     continue;
                 }
-                const std::string name =
-                    std::string(shape.name) + "-" + std::to_string(solver.id) + suffix;
-                add(name + "-front", {shape.type, solver.id, 4, transparent, Pass::front});
-                add(name + "-near", {shape.type, solver.id, 4, transparent, Pass::near});
+                const int forms = shape.prepared && !transparent ? 2 * arc_forms - 1 : 1;
+                for (int form = 0; form < forms; ++form) {
+                    const std::string name = std::string(shape.name) + "-" +
+                                             std::to_string(solver.id) + "-" +
+                                             std::to_string(form) + suffix;
+                    const PrimitiveVariant variant{.type = shape.type,
+                                                   .solver = solver.id,
+                                                   .form = form,
+                                                   .hull_rings = 4,
+                                                   .transparent = transparent};
+                    add(name + "-front", variant);
+                    add(name + "-near", in_pass(variant, Pass::near));
+                }
             }
         }
     }

@@ -19,6 +19,7 @@ enum class Pass {
 struct PrimitiveVariant {
     ShapeType type = ShapeType::mesh;
     int solver = 0;
+    int form = 0;  // of Prepared shapes
     int hull_rings = 2;
     bool transparent = false;
     Pass pass = Pass::front;

@@ -61,9 +61,10 @@ Root root_at(real t, int steps) {
 struct Search {
     real low;
     real high;
-    real tolerance;   // > 0: a step this small ends a search
-    real scale;       // > 0: how large the curve is; a torus's bend_radius + radius
-    real resolution;  // >= 0: how far a root may be off, for solvers that adapt to the distance
+    real tolerance;     // > 0: a step this small ends a search
+    real scale;         // > 0: how large the curve is; a torus's bend_radius + radius
+    real resolution;    // >= 0: how far a root may be off, for solvers that adapt to the distance
+    bool starts_above;  // known to start where f > 0
 };
 
 real value_at(Polynomial f, real t) {
@@ -99,7 +100,10 @@ Roots2 inflections(Polynomial f) {
     }
     real half_b = real(1.5) * f.a3;
     real a = real(6) * f.a4;
-    return solve_quadratic(a, half_b, f.a2, max(real(0), half_b * half_b - a * f.a2));
+    real discriminant = half_b * half_b - a * f.a2;
+    // Without an inflection: a double root of 6 a4 t^2 + 3 a3 t + c.
+    real c = discriminant < real(0) ? half_b * half_b / a : f.a2;
+    return solve_quadratic(a, half_b, c, max(real(0), discriminant));
 }
 
 // Whether the bend is positive beyond both inflections (of a cubic: beyond the one at a finite

@@ -69,4 +69,16 @@ bool has_solvers(std::string_view name) {
     return false;
 }
 
+int solver_for(std::string_view name, int chosen) {
+    if (chosen == solver_none && has_solvers(name)) {
+        return chosen;
+    }
+    for (const SolverRow& row : rows) {
+        if (row.id == chosen && solves(row, name)) {
+            return chosen;
+        }
+    }
+    return solver_default;
+}
+
 }  // namespace quartic

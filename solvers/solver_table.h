@@ -14,7 +14,7 @@ struct SolverRow {
 };
 
 constexpr int solver_default = 1;
-constexpr int solver_none = -1;  // no row: everything but the solving, to see what that costs
+constexpr int solver_none = -1;  // as in first_root.glsl: all but the solving, for benchmarks
 
 std::span<const SolverRow> solver_table();
 const SolverRow* find_solver(std::string_view name);
@@ -22,5 +22,8 @@ const SolverRow* find_solver(std::string_view name);
 bool solves(const SolverRow& row, std::string_view name);
 // Whether any solver works on what bears this name: the others are drawn alike whatever is chosen.
 bool has_solvers(std::string_view name);
+// The solver chosen for what bears this name if it works on it, else the default. solver_none works
+// on all that have solvers.
+int solver_for(std::string_view name, int chosen);
 
 }  // namespace quartic

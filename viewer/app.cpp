@@ -108,8 +108,7 @@ void report_failure(App& app, const Error& error) {
 }  // namespace
 
 void redraw(App& app) {
-    ++app.maps.wanted;
-    app.maps.worker.cancel();
+    redraw_map(app);
     redraw_picture(app);
 }
 
@@ -118,26 +117,38 @@ void redraw_picture(App& app) {
     app.second_picture.discard();
 }
 
+void redraw_map(App& app) {
+    ++app.maps.wanted;
+    app.maps.worker.cancel();
+}
+
+bool is_drawn(const App& app) {
+    return app.picture.is_complete() && (!is_split(app) || app.second_picture.is_complete());
+}
+
 void draw_sample(App& app) {
     const PixelSize size = app.view.size_px;
-    if (app.picture.is_complete() || size.width < 1 || size.height < 1) {
+    if (is_drawn(app) || size.width < 1 || size.height < 1) {
         return;
     }
     const bool is_moving = app.drag && app.drag->moved;
     const bool is_slow = app.picture.draw_ms() * app.picture.reduction() > slow_ms;
     const int reduction = is_moving && is_slow ? 2 : 1;
     RenderOptions options = app.options;
-    const auto draw = [&](Picture& picture, int solver) {
-        options.solver = solver;
+    const auto draw = [&](Picture& picture) {
         const Status drawn = picture.draw(app.renderer, app.camera, size, options, reduction);
         if (!drawn) {
             app.failure = drawn.error().message;
         }
     };
-    if (is_split(app)) {
-        draw(app.second_picture, app.maps.choice.second);
+    options.solver = app.maps.choice.second;
+    if (is_split(app) && !app.second_picture.is_complete() && is_prepared(app, options)) {
+        draw(app.second_picture);
     }
-    draw(app.picture, app.solver);
+    options.solver = app.solver;
+    if (!app.picture.is_complete()) {
+        draw(app.picture);
+    }
     app.counts = app.renderer.counts();
     if (!app.renderer.gl_errors().empty()) {
         app.notice = "The driver complained: " + app.renderer.gl_errors().front();

@@ -78,6 +78,8 @@ struct App {
     std::vector<int> material_solvers;            // as chosen, for each material
     std::vector<int> drawn_solvers;               // as the renderer has them
     std::vector<std::uint32_t> solved_materials;  // of shapes with a choice of solvers
+    int next_solver = 0;                          // of everything, once its programs are compiled
+    std::optional<Packed> next_packed;            // waits for its programs too
     Worker<Packed> packing{Window::wake};
 
     Camera camera;
@@ -110,7 +112,11 @@ void receive_model(App& app);
 void change_solver(App& app, int solver);
 // Packs the scene anew beside the window; until then the picture stays as it is.
 void change_material_solver(App& app, std::uint32_t material, int solver);
-void receive_packed(App& app);
+// Takes solvers over whose programs are compiled, or compiles one more.
+void advance_solvers(App& app);
+bool is_changing_solvers(const App& app);
+// Whether the programs are compiled; if not, one more of them is.
+bool is_prepared(App& app, const RenderOptions& options);
 std::string solver_name(const App& app, int solver);
 void begin_solvers(App& app);  // of a model that was just opened
 void change_layers(App& app);
@@ -129,8 +135,11 @@ void fit(App& app, std::span<const Box3> boxes, std::string_view view_name = {})
 void redraw(App& app);
 // Only colours changed: maps stay.
 void redraw_picture(App& app);
+// Another map of the same picture.
+void redraw_map(App& app);
 // One more sample of the picture, unless it is complete.
 void draw_sample(App& app);
+bool is_drawn(const App& app);
 
 // Mouse and keys in their order.
 void take_events(App& app);

@@ -28,17 +28,27 @@ RenderOptions options_for(const App& app, MapKind kind, int solver) {
     return options;
 }
 
-// The pictures that the map is made from: the second solver's, where it has a part, is drawn first,
-// so that the renderer keeps the first one's for picking.
-Result<std::vector<GBuffer>> draw_pictures(App& app, MapKind kind) {
-    std::vector<int> solvers{app.solver};
+// The first one's picture, and the second one's where it has a part.
+std::vector<RenderOptions> looks_for(const App& app, MapKind kind) {
+    std::vector<RenderOptions> looks{options_for(app, kind, app.solver)};
     if (is_split(app) || kind == MapKind::difference) {
-        solvers.push_back(app.maps.choice.second);
+        looks.push_back(options_for(app, kind, app.maps.choice.second));
     }
-    std::vector<GBuffer> pictures(solvers.size());
-    for (std::size_t i = solvers.size(); i-- > 0;) {
-        const Status drawn =
-            app.renderer.draw(app.camera, app.view.size_px, options_for(app, kind, solvers[i]));
+    return looks;
+}
+
+bool are_prepared(App& app, MapKind kind) {
+    const std::vector<RenderOptions> looks = looks_for(app, kind);
+    return std::all_of(looks.begin(), looks.end(),
+                       [&](const RenderOptions& options) { return is_prepared(app, options); });
+}
+
+// The second picture is drawn first, so that the renderer keeps the first one for picking.
+Result<std::vector<GBuffer>> draw_pictures(App& app, MapKind kind) {
+    const std::vector<RenderOptions> looks = looks_for(app, kind);
+    std::vector<GBuffer> pictures(looks.size());
+    for (std::size_t i = looks.size(); i-- > 0;) {
+        const Status drawn = app.renderer.draw(app.camera, app.view.size_px, looks[i]);
         if (!drawn) {
             return drawn.error();
         }
@@ -156,12 +166,18 @@ bool is_map_awaited(const App& app) {
     return app.model && app.maps.choice.kind.has_value() && !is_map_shown(app);
 }
 
-void advance_map(App& app) {
+bool is_map_preparing(const App& app) {
+    return is_map_awaited(app) && app.maps.begun != app.maps.wanted && !app.drag && is_drawn(app) &&
+           app.view.size_px.width > 0 && app.view.size_px.height > 0;
+}
+
+bool advance_map(App& app) {
+    const std::uint64_t before = app.maps.shown;
     take_errors(app);
-    if (is_map_awaited(app) && app.maps.begun != app.maps.wanted && !app.drag &&
-        app.picture.is_complete()) {
+    if (is_map_preparing(app) && are_prepared(app, *app.maps.choice.kind)) {
         begin_map(app, *app.maps.choice.kind);
     }
+    return app.maps.shown != before;
 }
 
 std::vector<std::uint8_t> seen_pixels(const App& app) {

@@ -49,9 +49,12 @@ struct MapView {
 bool is_split(const App& app);
 bool is_map_shown(const App& app);
 bool is_map_awaited(const App& app);
+// Whether it can go on at once: nothing moves, and no thread is at it.
+bool is_map_preparing(const App& app);
 
-// Begins the map if nothing moves any more, and takes over what is finished.
-void advance_map(App& app);
+// Begins the map if nothing moves any more, and takes over what is finished; tells whether a new
+// map is shown.
+bool advance_map(App& app);
 // What is in the view, RGBA, rows from the bottom up.
 std::vector<std::uint8_t> seen_pixels(const App& app);
 

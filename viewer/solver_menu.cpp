@@ -51,11 +51,11 @@ void show_solver_menu(App& app) {
         show_materials(app);
         ImGui::EndMenu();
     }
-    if (ImGui::MenuItem("As the materials say", nullptr, app.solver == 0)) {
+    if (ImGui::MenuItem("As the materials say", nullptr, app.next_solver == 0)) {
         change_solver(app, 0);
     }
     ImGui::Separator();
-    if (const auto solver = choose_solver(app.solver)) {
+    if (const auto solver = choose_solver(app.next_solver)) {
         change_solver(app, *solver);
     }
 }
@@ -63,7 +63,8 @@ void show_solver_menu(App& app) {
 void show_second_solver_menu(App& app) {
     if (const auto solver = choose_solver(app.maps.choice.second)) {
         app.maps.choice.second = *solver;
-        redraw(app);
+        app.second_picture.discard();
+        redraw_map(app);
     }
 }
 

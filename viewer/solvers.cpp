@@ -4,6 +4,29 @@
 #include "viewer/app.h"
 
 namespace quartic::viewer {
+namespace {
+
+// What cannot be compiled will be told, and again when it is drawn.
+bool judge_prepared(App& app, const Result<bool>& prepared) {
+    if (!prepared) {
+        app.failure = prepared.error().message;
+        return true;
+    }
+    return prepared.value();
+}
+
+void take_packed(App& app) {
+    const Status loaded = app.renderer.load(*app.next_packed);
+    app.next_packed.reset();
+    if (!loaded) {
+        app.failure = loaded.error().message;
+        return;
+    }
+    app.drawn_solvers = app.material_solvers;
+    redraw(app);
+}
+
+}  // namespace
 
 std::string solver_name(const App& app, int solver) {
     for (const SolverRow& row : solver_table()) {
@@ -18,6 +41,7 @@ std::string solver_name(const App& app, int solver) {
 void begin_solvers(App& app) {
     const Scene& scene = app.model->scene;
     app.packing.cancel();
+    app.next_packed.reset();
     app.material_solvers.clear();
     for (const Material& material : scene.materials) {
         app.material_solvers.push_back(material.solver);
@@ -38,8 +62,7 @@ void begin_solvers(App& app) {
 }
 
 void change_solver(App& app, int solver) {
-    app.solver = solver;
-    redraw(app);
+    app.next_solver = solver;
 }
 
 void change_material_solver(App& app, std::uint32_t material, int solver) {
@@ -51,18 +74,30 @@ void change_material_solver(App& app, std::uint32_t material, int solver) {
     });
 }
 
-void receive_packed(App& app) {
-    const std::optional<Result<Packed>> packed = app.packing.take();
-    if (!packed) {
-        return;
+bool is_prepared(App& app, const RenderOptions& options) {
+    return judge_prepared(app, app.renderer.prepare(options));
+}
+
+bool is_changing_solvers(const App& app) {
+    return app.next_packed.has_value() || app.next_solver != app.solver;
+}
+
+void advance_solvers(App& app) {
+    if (std::optional<Result<Packed>> packed = app.packing.take()) {
+        if (*packed) {
+            app.next_packed = std::move(*packed).value();
+        } else {
+            app.failure = packed->error().message;
+        }
     }
-    const Status loaded = *packed ? app.renderer.load(packed->value()) : Status(packed->error());
-    if (!loaded) {
-        app.failure = loaded.error().message;
-        return;
+    RenderOptions options = app.options;
+    options.solver = app.next_solver;
+    if (app.next_packed && judge_prepared(app, app.renderer.prepare(*app.next_packed, {}))) {
+        take_packed(app);
+    } else if (app.next_solver != app.solver && is_prepared(app, options)) {
+        app.solver = app.next_solver;
+        redraw(app);
     }
-    app.drawn_solvers = app.material_solvers;
-    redraw(app);
 }
 
 }  // namespace quartic::viewer

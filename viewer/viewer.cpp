@@ -65,7 +65,8 @@ void show_frame(App& app) {
 
 double patience(const App& app, int frames_left) {
     const bool can_draw = app.view.size_px.width > 0 && app.view.size_px.height > 0;
-    if (frames_left > 0 || (can_draw && !app.picture.is_complete())) {
+    if (frames_left > 0 || (can_draw && !is_drawn(app)) || is_changing_solvers(app) ||
+        is_map_preparing(app)) {
         return 0.0;
     }
     if (app.loading) {
@@ -76,7 +77,7 @@ double patience(const App& app, int frames_left) {
 
 // Whether what is seen will stay as it is.
 bool is_settled(const App& app) {
-    return !app.model || (app.picture.is_complete() && !is_map_awaited(app));
+    return !app.model || (is_drawn(app) && !is_map_awaited(app) && !is_changing_solvers(app));
 }
 
 bool is_minimised(const App& app) {
@@ -92,12 +93,14 @@ void run(App& app) {
         }
         take_events(app);
         receive_model(app);
-        receive_packed(app);
+        advance_solvers(app);
         if (is_minimised(app)) {
             continue;
         }
         draw_sample(app);
-        advance_map(app);
+        if (advance_map(app)) {
+            frames_left = frames_to_settle;
+        }
         if (app.screenshot_wanted && is_settled(app)) {
             write_screenshot(app);
         }
@@ -135,6 +138,7 @@ Result<int> run_viewer(const ViewerOptions& options) {
     app.renderer_is = renderer_name();
     app.start_camera = options.camera;
     app.solver = options.solver;
+    app.next_solver = options.solver;
     const viewer::Gui gui(app.window);  // ends before the window does
     if (!options.files.empty()) {
         viewer::open_model(app, options.files);

@@ -1,15 +1,11 @@
 // All kinds of models: sound shapes, counts as asked, the same bytes again.
 #include "generators/generate.h"
 
-#include "exporters/rvm.h"
-#include "files/source.h"
+#include "exporters/pov.h"
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 namespace quartic {
@@ -21,18 +17,12 @@ Scene make(std::string_view kind, const GenerateOptions& options) {
     return scene ? std::move(scene).value() : Scene();
 }
 
+// POV-Ray's language holds doubles to the last digit.
 std::vector<std::byte> bytes_of(const Scene& scene) {
-    const std::string path = (std::filesystem::temp_directory_path() /
-                              ("generated_" + std::to_string(getpid()) + ".rvm"))
-                                 .string();
-    Result<Output> output = Output::create(path);
-    EXPECT_TRUE(output.ok());
-    EXPECT_TRUE(export_rvm(scene, output.value()).ok());
-    EXPECT_TRUE(output.value().commit().ok());
-    Result<Source> source = Source::open(path);
-    EXPECT_TRUE(source.ok());
-    std::vector<std::byte> bytes(source.value().bytes().begin(), source.value().bytes().end());
-    std::filesystem::remove(path);
+    std::vector<std::byte> bytes;
+    Output output = Output::to_memory(bytes);
+    EXPECT_TRUE(export_pov(scene, output).ok());
+    EXPECT_TRUE(output.commit().ok());
     return bytes;
 }
 

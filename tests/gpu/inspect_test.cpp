@@ -4,6 +4,7 @@
 #include "solvers/solver_table.h"
 #include "tests/gpu/gpu_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +12,7 @@ namespace quartic {
 namespace {
 
 constexpr PixelSize picture_size{200, 150};
-constexpr int sturm_halvings = 18;  // solvers/sturm.glsl
+constexpr int sturm_halvings = 20;  // solvers/sturm.glsl
 
 class InspectTest : public GpuTest {
 protected:
@@ -116,7 +117,8 @@ TEST_F(InspectTest, a_recorded_ray_solved_in_cpp_has_the_recorded_root) {
         }
         const glm::vec4 origin = picture.ray_origins[i];
         const glm::vec4 direction = picture.ray_directions[i];
-        const f32::Ray ray{glm::vec3(origin), glm::vec3(direction), origin.w};
+        const f32::Ray ray{glm::vec3(origin), glm::vec3(direction), origin.w,
+                           picture.ray_pixels[i]};
         const f32::Hit found = f32().hit(torus, ray, 0, solver_default);
         const bool is_hit = picture.ids[i] != no_index;
         ++rays;
@@ -124,6 +126,57 @@ TEST_F(InspectTest, a_recorded_ray_solved_in_cpp_has_the_recorded_root) {
     }
     EXPECT_GT(rays, 1000);
     EXPECT_GE(alike, rays - rays / 1000);
+}
+
+TEST_F(InspectTest, a_solver_chosen_for_a_draw_is_that_which_was_packed) {
+    add_ring();
+    const GBuffer packed = inspect("newton");
+    ASSERT_TRUE(renderer().load(pack(scene_)));
+    RenderOptions options = all_parts();
+    options.inspect = true;
+    options.solver = find_solver("newton")->id;
+    ASSERT_TRUE(renderer().draw(camera_, picture_size, options));
+    const GBuffer chosen = renderer().read();
+    EXPECT_EQ(chosen.depth_m, packed.depth_m);
+    EXPECT_EQ(chosen.steps, packed.steps);
+    EXPECT_NE(chosen.steps, inspect("sturm").steps);
+}
+
+TEST_F(InspectTest, translucent_parts_have_ids_where_a_draw_is_opaque) {
+    scene_.materials = {{"glass", {0.8f, 0.0f, 0.0f, 0.5f}, 0}};
+    add_ring();
+    const auto seen = [&](bool opaque) {
+        RenderOptions options = all_parts();
+        options.opaque = opaque;
+        EXPECT_TRUE(renderer().draw(camera_, picture_size, options));
+        return renderer().read();
+    };
+    ASSERT_TRUE(renderer().load(pack(scene_)));
+    const GBuffer opaque = seen(true);
+    const GBuffer translucent = seen(false);
+    PackOptions packing;
+    packing.transparent_as_opaque = true;
+    ASSERT_TRUE(renderer().load(pack(scene_, packing)));
+    EXPECT_EQ(opaque.ids, seen(false).ids);
+    EXPECT_EQ(std::count(translucent.ids.begin(), translucent.ids.end(), 0u), 0);
+    EXPECT_GT(std::count(opaque.ids.begin(), opaque.ids.end(), 0u), 1000);
+}
+
+TEST_F(InspectTest, programs_are_prepared_one_at_a_time) {
+    add_ring();
+    ASSERT_TRUE(renderer().load(pack(scene_)));
+    RenderOptions options = all_parts();
+    options.solver = find_solver("double_derivative_bisection")->id;
+    options.inspect = true;
+    int compiled = 0;  // the near and the front pass, if nobody needed them before
+    for (Result<bool> ready = false; !ready.value(); ++compiled) {
+        ready = renderer().prepare(options);
+        ASSERT_TRUE(ready) << ready.error().message;
+        ASSERT_LE(compiled, 2);
+    }
+    EXPECT_TRUE(renderer().prepare(options).value());
+    EXPECT_TRUE(renderer().draw(camera_, picture_size, options));
+    expect_no_gl_error();
 }
 
 }  // namespace

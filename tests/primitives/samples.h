@@ -102,12 +102,15 @@ Target convert_record(const Source& source) {
     return target;
 }
 
-#define SHAPE(id, Type, name)                                   \
-    inline f32::Type to_float(const f64::Type& shape) {         \
-        return convert_record<f32::Type, double, float>(shape); \
-    }                                                           \
-    inline f64::Type to_double(const f32::Type& shape) {        \
-        return convert_record<f64::Type, float, double>(shape); \
+#define SHAPE(id, Type, name)                                                        \
+    inline f32::Type to_float(const f64::Type& shape) {                              \
+        return convert_record<f32::Type, double, float>(shape);                      \
+    }                                                                                \
+    inline f64::Type to_double(const f32::Type& shape) {                             \
+        return convert_record<f64::Type, float, double>(shape);                      \
+    }                                                                                \
+    inline Kernel<long double>::Type to_long_double(const f32::Type& shape) {        \
+        return convert_record<Kernel<long double>::Type, float, long double>(shape); \
     }
 #include "primitives/catalog.h"
 #undef SHAPE

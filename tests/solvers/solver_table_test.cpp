@@ -47,5 +47,15 @@ TEST(SolverTable, only_what_a_row_names_has_solvers) {
     EXPECT_FALSE(has_solvers(""));
 }
 
+TEST(SolverTable, what_a_solver_does_not_solve_is_left_to_the_default) {
+    EXPECT_EQ(solver_for("torus", find_solver("newton")->id), find_solver("newton")->id);
+    EXPECT_EQ(solver_for("quartic", find_solver("sturm")->id), find_solver("sturm")->id);
+    EXPECT_EQ(solver_for("quartic", find_solver("sphere_tracing")->id), solver_default);
+    EXPECT_EQ(solver_for("cylinder", find_solver("newton")->id), solver_default);
+    EXPECT_EQ(solver_for("torus", 0), solver_default);
+    EXPECT_EQ(solver_for("torus", solver_none), solver_none);
+    EXPECT_EQ(solver_for("cylinder", solver_none), solver_default);
+}
+
 }  // namespace
 }  // namespace quartic
