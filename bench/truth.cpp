@@ -108,6 +108,25 @@ RealRoots roots_between(const Curve& f, const RealRoots& extremes, Long low, Lon
     return roots;
 }
 
+// Of a curve of degree 2, by the form that does not cancel.
+RealRoots quadratic_roots(const Curve& f, Long low, Long high) {
+    const Long half_b = 0.5L * f.c[1];
+    const Long discriminant = half_b * half_b - f.c[2] * f.c[0];
+    RealRoots roots;
+    if (discriminant < 0.0L) {
+        return roots;
+    }
+    const Long sum = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
+    const Long first = sum / f.c[2];
+    const Long second = sum != 0.0L ? f.c[0] / sum : first;
+    for (const Long t : {std::min(first, second), std::max(first, second)}) {
+        if (t >= low && t <= high) {
+            add(roots, t);
+        }
+    }
+    return roots;
+}
+
 int degree_of(const std::array<Long, 5>& c) {
     for (int i = 4; i > 0; --i) {
         if (c[static_cast<std::size_t>(i)] != 0.0L) {
@@ -207,8 +226,12 @@ RealRoots real_roots(const std::array<Long, 5>& c, Long low, Long high) {
     for (int i = 1; i < degree; ++i) {
         chain[static_cast<std::size_t>(i)] = derivative(chain[static_cast<std::size_t>(i - 1)]);
     }
-    RealRoots roots;
-    for (int i = degree - 1; i >= 0; --i) {
+    // The second derivative of a quartic needs no search. Where its roots nearly meet the square
+    // root loses digits, but the curve is straight there, and any place cuts it as well.
+    RealRoots roots = degree > 2
+                          ? quadratic_roots(chain[static_cast<std::size_t>(degree - 2)], low, high)
+                          : RealRoots();
+    for (int i = degree > 2 ? degree - 3 : degree - 1; i >= 0; --i) {
         roots = roots_between(chain[static_cast<std::size_t>(i)], roots, low, high);
     }
     return roots;
