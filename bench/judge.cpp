@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace quartic {
 namespace {
 
 // Points on a circle around the pixel's centre at which the truth is asked again.
-constexpr int tie_rays = 16;
+constexpr int tie_rays = 8;
 constexpr int block_width = 8;
 constexpr int block_height = 4;
+constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr float missed_t = -1e17f;  // shaders write -1e18 for a miss
 
 std::size_t index_of(PixelSize size, int x, int y) {
@@ -132,19 +134,21 @@ LongRay Judge::moved(const LongRay& ray, double dx, double dy) const {
     return result;
 }
 
-bool Judge::is_tie(const Answer& answer) const {
-    const Long speed = glm::length(answer.ray.direction);
+void Judge::look_beside(const LongRay& ray, Pixel& pixel) const {
     for (int i = 0; i < tie_rays; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / tie_rays;
-        const RealRoots truth = crossings_(moved(answer.ray, tie_distance_px * std::cos(angle),
-                                                 tie_distance_px * std::sin(angle)));
-        if (truth.count == 0
-                ? !answer.found
-                : answer.found && std::abs(truth.t[0] - answer.t) * speed <= far_apart_) {
-            return true;
-        }
+        const RealRoots truth = crossings_(
+            moved(ray, tie_distance_px * std::cos(angle), tie_distance_px * std::sin(angle)));
+        pixel.beside.push_back(truth.count > 0 ? static_cast<double>(truth.t[0]) : nowhere);
     }
-    return false;
+}
+
+bool Judge::is_tie(const Answer& answer, const Pixel& pixel) const {
+    const Long speed = glm::length(answer.ray.direction);
+    return std::any_of(pixel.beside.begin(), pixel.beside.end(), [&](double t) {
+        return t == nowhere ? !answer.found
+                            : answer.found && std::abs(t - answer.t) * speed <= far_apart_;
+    });
 }
 
 void Judge::judge_row(const GBuffer& picture, int y, Judgement& into) {
@@ -160,7 +164,7 @@ void Judge::judge_row(const GBuffer& picture, int y, Judgement& into) {
                           glm::vec3(pixel.direction) == glm::vec3(direction);
         if (!same) {
             const RealRoots truth = crossings_(answer.ray);
-            pixel = {origin, direction, true, truth.count > 0, truth.t[0]};
+            pixel = {origin, direction, true, truth.count > 0, truth.t[0], {}};
         }
         into.hits += pixel.hits;
         if (pixel.hits && answer.found) {
@@ -174,7 +178,10 @@ void Judge::judge_row(const GBuffer& picture, int y, Judgement& into) {
             HardAndTie& kind = !answer.found ? into.missed
                                : !pixel.hits ? into.false_hits
                                              : into.elsewhere;
-            (is_tie(answer) ? kind.tie : kind.hard) += 1;
+            if (pixel.beside.empty()) {
+                look_beside(answer.ray, pixel);
+            }
+            (is_tie(answer, pixel) ? kind.tie : kind.hard) += 1;
         }
     }
 }

@@ -52,6 +52,8 @@ private:
         bool known = false;
         bool hits = false;
         Long t = 0.0L;
+        // First hits of the rays beside it, infinite where they miss; empty until somebody errs.
+        std::vector<double> beside;
     };
     struct Answer {
         LongRay ray;
@@ -62,7 +64,8 @@ private:
     void judge_row(const GBuffer& picture, int y, Judgement& into);
     LongRay ray_of(const GBuffer& picture, int x, int y) const;
     LongRay moved(const LongRay& ray, double dx, double dy) const;
-    bool is_tie(const Answer& answer) const;
+    void look_beside(const LongRay& ray, Pixel& pixel) const;
+    bool is_tie(const Answer& answer, const Pixel& pixel) const;
 
     Crossings crossings_;
     View view_;

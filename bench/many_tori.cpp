@@ -71,7 +71,7 @@ Status measure(Stage& stage, std::vector<Method>& methods, std::uint64_t count, 
                         {"count", count},
                         {"frame_ms", 1e3 * seconds},
                         {"fps", 1.0 / seconds},
-                        {"ratio_to_newton", median_ratio(rounds, newton)},
+                        {"ratio_to_newton", median_ratio(newton, rounds)},
                         {"tori_per_second", static_cast<double>(count) / seconds},
                         {"record_bytes", frames[i].packed->batches[0].records.size()}});
     }

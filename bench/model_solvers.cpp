@@ -146,9 +146,9 @@ Status measure_model(Stage& stage, const std::string& path, PixelSize size,
         ordered_json row{{"file", path},
                          {"method", methods[i].name},
                          {"frame_ms", 1e3 * median(rounds) / settings.views},
-                         {"ratio_to_convexity_split", median_ratio(rounds, base)}};
+                         {"ratio_to_convexity_split", median_ratio(base, rounds)}};
         if (methods[i].is_compared) {
-            row["solver_only_ratio_to_convexity_split"] = median_ratio(rounds, base, none, none);
+            row["solver_only_ratio_to_convexity_split"] = median_ratio(base, rounds, none, none);
             add_comparison(methods[i], row);
         }
         rows.push_back(std::move(row));

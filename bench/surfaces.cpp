@@ -173,11 +173,11 @@ private:
                              {"zoom", zoom},
                              {"method", methods_[i].name},
                              {"frame_ms", 1e3 * median(one.rounds) / views},
-                             {"ratio_to_sturm", median_ratio(one.rounds, sturm.rounds)}};
+                             {"ratio_to_sturm", median_ratio(sturm.rounds, one.rounds)}};
             if (methods_[i].solver != solver_none) {
                 const Judgement& judgement = one.judgement;
                 row["solver_only_ratio_to_sturm"] =
-                    median_ratio(one.rounds, sturm.rounds, none, none);
+                    median_ratio(sturm.rounds, one.rounds, none, none);
                 row["wrong_hard"] =
                     judgement.missed.hard + judgement.false_hits.hard + judgement.elsewhere.hard;
                 add_truth(judgement, "other", row);

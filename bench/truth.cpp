@@ -10,50 +10,64 @@ namespace {
 
 constexpr Long epsilon = std::numeric_limits<Long>::epsilon();
 
-// Coefficients of rising powers.
-using Coefficients5 = std::array<Long, 5>;
+// Coefficients of rising powers; those beyond the degree are zero.
+struct Curve {
+    std::array<Long, 5> c{};
+    int degree = 0;
+};
 
-Long value_at(const Coefficients5& c, Long t) {
-    Long value = 0.0L;
-    for (std::size_t i = c.size(); i-- > 0;) {
-        value = value * t + c[i];
-    }
-    return value;
-}
+struct ValueAndSlope {
+    Long value;
+    Long slope;
+};
 
-// How far value_at() may be from the true value: Horner's rule rounds twice a step (Higham 2002,
-// Accuracy and Stability of Numerical Algorithms, section 5.1).
-Long rounding_at(const Coefficients5& c, Long t) {
-    Long size = 0.0L;
-    for (std::size_t i = c.size(); i-- > 0;) {
-        size = size * std::abs(t) + std::abs(c[i]);
-    }
-    return 4.0L * epsilon * size;
-}
-
-Coefficients5 derivative(const Coefficients5& c) {
-    Coefficients5 result{};
-    for (std::size_t i = 1; i < c.size(); ++i) {
-        result[i - 1] = static_cast<Long>(i) * c[i];
+ValueAndSlope at(const Curve& f, Long t) {
+    ValueAndSlope result{0.0L, 0.0L};
+    for (int i = f.degree; i >= 0; --i) {
+        result.slope = result.slope * t + result.value;
+        result.value = result.value * t + f.c[static_cast<std::size_t>(i)];
     }
     return result;
 }
 
+// How far a value may be from the true one: Horner's rule rounds twice a step (Higham 2002,
+// Accuracy and Stability of Numerical Algorithms, section 5.1).
+Long rounding_at(const Curve& f, Long t) {
+    Long size = 0.0L;
+    for (int i = f.degree; i >= 0; --i) {
+        size = size * std::abs(t) + std::abs(f.c[static_cast<std::size_t>(i)]);
+    }
+    return 4.0L * epsilon * size;
+}
+
+Curve derivative(const Curve& f) {
+    Curve slope;
+    slope.degree = f.degree - 1;
+    for (int i = 1; i <= f.degree; ++i) {
+        slope.c[static_cast<std::size_t>(i - 1)] =
+            static_cast<Long>(i) * f.c[static_cast<std::size_t>(i)];
+    }
+    return slope;
+}
+
 // The root between two places where f has different signs; f is monotone between them.
-Long root_between(const Coefficients5& f, const Coefficients5& slope, Long low, Long high) {
-    const bool rises = value_at(f, high) > 0.0L;
+Long root_between(const Curve& f, Long low, Long high, bool rises) {
+    const Long smallest_step = epsilon * std::max(std::abs(low), std::abs(high));
     Long t = 0.5L * (low + high);
     for (int i = 0; i < 200; ++i) {
-        const Long value = value_at(f, t);
-        if (value == 0.0L) {
+        const ValueAndSlope here = at(f, t);
+        if (here.value == 0.0L) {
             return t;
         }
-        ((value > 0.0L) == rises ? high : low) = t;
-        const Long newton = t - value / value_at(slope, t);
+        ((here.value > 0.0L) == rises ? high : low) = t;
+        const Long newton = t - here.value / here.slope;
+        const bool inside = newton > low && newton < high;
+        if (inside && std::abs(newton - t) <= smallest_step) {
+            return newton;
+        }
         // Halving every third time keeps slow convergence at clustered roots short.
-        const bool inside = newton > low && newton < high && i % 3 != 2;
-        const Long next = inside ? newton : 0.5L * (low + high);
-        if (next == t || next <= low || next >= high) {
+        const Long next = inside && i % 3 != 2 ? newton : 0.5L * (low + high);
+        if (next <= low || next >= high) {
             return next;
         }
         t = next;
@@ -69,10 +83,9 @@ void add(RealRoots& roots, Long t) {
 }
 
 // The roots of f between the extremes, which lie in [low, high].
-RealRoots roots_between(const Coefficients5& f, const RealRoots& extremes, Long low, Long high) {
-    const Coefficients5 slope = derivative(f);
+RealRoots roots_between(const Curve& f, const RealRoots& extremes, Long low, Long high) {
     const auto sign_at = [&](Long t) {
-        const Long value = value_at(f, t);
+        const Long value = at(f, t).value;
         return std::abs(value) <= rounding_at(f, t) ? 0 : value > 0.0L ? 1 : -1;
     };
     RealRoots roots;
@@ -85,7 +98,7 @@ RealRoots roots_between(const Coefficients5& f, const RealRoots& extremes, Long 
         const Long right = i < extremes.count ? extremes.t[static_cast<std::size_t>(i)] : high;
         const int right_sign = sign_at(right);
         if (left_sign * right_sign < 0) {
-            add(roots, root_between(f, slope, left, right));
+            add(roots, root_between(f, left, right, right_sign > 0));
         } else if (right_sign == 0) {
             add(roots, right);
         }
@@ -95,7 +108,26 @@ RealRoots roots_between(const Coefficients5& f, const RealRoots& extremes, Long 
     return roots;
 }
 
-int degree_of(const Coefficients5& c) {
+// Of a curve of degree 2, by the form that does not cancel.
+RealRoots quadratic_roots(const Curve& f, Long low, Long high) {
+    const Long half_b = 0.5L * f.c[1];
+    const Long discriminant = half_b * half_b - f.c[2] * f.c[0];
+    RealRoots roots;
+    if (discriminant < 0.0L) {
+        return roots;
+    }
+    const Long sum = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
+    const Long first = sum / f.c[2];
+    const Long second = sum != 0.0L ? f.c[0] / sum : first;
+    for (const Long t : {std::min(first, second), std::max(first, second)}) {
+        if (t >= low && t <= high) {
+            add(roots, t);
+        }
+    }
+    return roots;
+}
+
+int degree_of(const std::array<Long, 5>& c) {
     for (int i = 4; i > 0; --i) {
         if (c[static_cast<std::size_t>(i)] != 0.0L) {
             return i;
@@ -134,9 +166,11 @@ RealRoots as_parameters(RealRoots roots, const CentredRay& line) {
     return roots;
 }
 
+using Powers = std::array<Long, 5>;  // coefficients of rising powers of t
+
 // p + v t to the powers 0 to 4.
-std::array<Coefficients5, 5> powers_along(Long p, Long v) {
-    std::array<Coefficients5, 5> powers{};
+std::array<Powers, 5> powers_along(Long p, Long v) {
+    std::array<Powers, 5> powers{};
     powers[0][0] = 1.0L;
     for (std::size_t n = 1; n < 5; ++n) {
         for (std::size_t i = 0; i < n; ++i) {
@@ -147,7 +181,7 @@ std::array<Coefficients5, 5> powers_along(Long p, Long v) {
     return powers;
 }
 
-void add_product(Coefficients5& to, const Coefficients5& a, const Coefficients5& b, Long factor) {
+void add_product(Powers& to, const Powers& a, const Powers& b, Long factor) {
     for (std::size_t i = 0; i < 5; ++i) {
         for (std::size_t j = 0; i + j < 5; ++j) {
             to[i + j] += factor * a[i] * b[j];
@@ -157,16 +191,16 @@ void add_product(Coefficients5& to, const Coefficients5& a, const Coefficients5&
 
 // The polynomial's values along p + t v; terms in lexicographic order, x^4 first, 1 last. For every
 // power of x and y the terms in z are summed before they are multiplied out.
-Coefficients5 along(const std::array<float, 35>& terms, const LongVector& p, const LongVector& v) {
+Powers along(const std::array<float, 35>& terms, const LongVector& p, const LongVector& v) {
     const auto x = powers_along(p.x, v.x);
     const auto y = powers_along(p.y, v.y);
     const auto z = powers_along(p.z, v.z);
-    Coefficients5 result{};
+    Powers result{};
     std::size_t term = 0;
     for (std::size_t i = 5; i-- > 0;) {
-        Coefficients5 in_yz{};
+        Powers in_yz{};
         for (std::size_t j = 5 - i; j-- > 0;) {
-            Coefficients5 in_z{};
+            Powers in_z{};
             for (std::size_t k = 5 - i - j; k-- > 0;) {
                 const Long factor = terms[term++];
                 for (std::size_t n = 0; n < 5; ++n) {
@@ -187,13 +221,17 @@ RealRoots real_roots(const std::array<Long, 5>& c, Long low, Long high) {
         return {};
     }
     // f, f', f'', ...: each one's roots are the next one's extremes.
-    std::array<Coefficients5, 5> chain{c};
-    const int degree = degree_of(c);
+    std::array<Curve, 5> chain{Curve{c, degree_of(c)}};
+    const int degree = chain[0].degree;
     for (int i = 1; i < degree; ++i) {
         chain[static_cast<std::size_t>(i)] = derivative(chain[static_cast<std::size_t>(i - 1)]);
     }
-    RealRoots roots;
-    for (int i = degree - 1; i >= 0; --i) {
+    // The second derivative of a quartic needs no search. Where its roots nearly meet the square
+    // root loses digits, but the curve is straight there, and any place cuts it as well.
+    RealRoots roots = degree > 2
+                          ? quadratic_roots(chain[static_cast<std::size_t>(degree - 2)], low, high)
+                          : RealRoots();
+    for (int i = degree > 2 ? degree - 3 : degree - 1; i >= 0; --i) {
         roots = roots_between(chain[static_cast<std::size_t>(i)], roots, low, high);
     }
     return roots;

@@ -38,14 +38,27 @@ protected:
         return report;
     }
 
+    // The first row of a method; of surfaces, that of all together at zoom 1.
     static json find_row(const json& report, const std::string& method) {
         for (const json& row : report["rows"]) {
-            if (row["method"] == method) {
+            if (row["method"] == method && row.value("surface", "all") == "all") {
                 return row;
             }
         }
         ADD_FAILURE() << "no row of " << method;
         return json::object();
+    }
+
+    // Of one round: how many times as fast as the base every method is.
+    static void expect_ratios(const json& report, const std::string& base, const char* key) {
+        const double base_ms = find_row(report, base)["frame_ms"];
+        for (const json& row : report["rows"]) {
+            if (row.value("count", 1) == 1 && row.value("surface", "all") == "all" &&
+                row.value("zoom", 1.0) == 1.0) {
+                const double expected = base_ms / row["frame_ms"].get<double>();
+                EXPECT_NEAR(row[key], expected, 1e-9 * expected) << row["method"];
+            }
+        }
     }
 
     static void expect_keys(const json& row, std::initializer_list<const char*> keys) {
@@ -115,6 +128,7 @@ TEST_F(BenchOfDrawing, many_tori) {
     EXPECT_EQ(report["rows"].back()["count"], 16);
     expect_keys(report["rows"][0],
                 {"method", "count", "frame_ms", "fps", "ratio_to_newton", "tori_per_second"});
+    expect_ratios(report, "newton", "ratio_to_newton");
     EXPECT_EQ(report["crossovers"].size(), 12u);
 }
 
@@ -124,6 +138,7 @@ TEST_F(BenchOfDrawing, cubics_and_quartics) {
         const json sturm = find_row(report, "sturm");
         EXPECT_EQ(sturm["zoom"], 1.0);
         EXPECT_EQ(sturm["ratio_to_sturm"], 1.0);
+        expect_ratios(report, "sturm", "ratio_to_sturm");
         EXPECT_GT(sturm["true_hits"], 0);
         expect_keys(sturm, {"surface", "frame_ms", "solver_only_ratio_to_sturm", "missed_hard",
                             "missed", "false_hard", "other_hard", "other", "wrong_hard",
@@ -139,6 +154,7 @@ TEST_F(BenchOfDrawing, solvers_of_a_model) {
     const json report = run({"solvers", model, "--views", "2"});
     const json split = find_row(report, "convexity_split");
     EXPECT_EQ(split["ratio_to_convexity_split"], 1.0);
+    expect_ratios(report, "convexity_split", "ratio_to_convexity_split");
     EXPECT_GT(split["hit_pixels"], 100);
     for (const char* key : {"missed_hard", "false_hard", "wrong_id_hard", "nan_pixels"}) {
         EXPECT_EQ(split[key], 0) << key;
