@@ -2,6 +2,7 @@
 #include "render/frame.h"
 
 #include "scene/gpu_layout.h"
+#include "shaders/variants.h"
 
 namespace quartic {
 namespace {
@@ -59,38 +60,20 @@ const void* command_offset(std::uint32_t command) {
     return reinterpret_cast<const void*>(std::size_t{command} * sizeof(gpu::Command));
 }
 
-// Two commands of one multi-draw: small parts by their boxes, large ones by their hulls.
-void draw_fronts(const SceneBuffers& scene, bool transparent) {
-    glEnable(GL_CULL_FACE);
-    glCullFace(GL_BACK);
+// One command of every batch of shapes.
+void draw_shapes(const SceneBuffers& scene, bool transparent, Pass pass) {
     for (std::size_t i = 0; i < scene.draws.size(); ++i) {
         const DrawBatch& batch = scene.draws[i];
-        if (batch.transparent != transparent || batch.type == ShapeType::mesh) {
+        const GLuint program = batch.programs[static_cast<std::size_t>(pass)];
+        if (batch.transparent != transparent || batch.type == ShapeType::mesh || program == 0) {
             continue;
         }
-        glUseProgram(batch.front_program);
-        glUniform1ui(0, static_cast<GLuint>(i));
-        bind_storage(gpu::binding_records, batch.records);
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
-                                    command_offset(batch.first_command), 2, sizeof(gpu::Command));
-    }
-}
-
-// Parts that the eye is in or the near plane cuts: their boxes' far faces cover them wherever the
-// eye is.
-void draw_near(const SceneBuffers& scene, bool transparent) {
-    glCullFace(GL_FRONT);
-    for (std::size_t i = 0; i < scene.draws.size(); ++i) {
-        const DrawBatch& batch = scene.draws[i];
-        if (batch.transparent != transparent || batch.type == ShapeType::mesh) {
-            continue;
-        }
-        glUseProgram(batch.near_program);
+        glUseProgram(program);
         glUniform1ui(0, static_cast<GLuint>(i));
         bind_storage(gpu::binding_records, batch.records);
         glDrawElementsIndirect(
             GL_TRIANGLES, GL_UNSIGNED_SHORT,
-            command_offset(batch.first_command + static_cast<unsigned>(gpu::command_near)));
+            command_offset(batch.first_command + static_cast<std::uint32_t>(pass)));
     }
 }
 
@@ -101,7 +84,7 @@ void draw_meshes(const SceneBuffers& scene, bool transparent) {
         if (batch.transparent != transparent || batch.type != ShapeType::mesh) {
             continue;
         }
-        glUseProgram(batch.front_program);
+        glUseProgram(batch.programs[0]);
         bind_storage(gpu::binding_records, batch.records);
         glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
                                     command_offset(batch.first_command),
@@ -112,8 +95,13 @@ void draw_meshes(const SceneBuffers& scene, bool transparent) {
 void draw_parts(const SceneBuffers& scene, bool transparent) {
     glBindVertexArray(scene.proxy_array.name());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, scene.commands.name());
-    draw_fronts(scene, transparent);
-    draw_near(scene, transparent);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    draw_shapes(scene, transparent, Pass::small);
+    draw_shapes(scene, transparent, Pass::large);
+    // Where the near plane cuts or the eye is inside, the boxes' far faces cover the parts.
+    glCullFace(GL_FRONT);
+    draw_shapes(scene, transparent, Pass::near);
     draw_meshes(scene, transparent);
 }
 

@@ -94,8 +94,13 @@ ProgramKey key_of(const PrimitiveVariant& variant) {
 }
 
 std::span<const Pass> passes_of(ShapeType type) {
-    static constexpr Pass passes[] = {Pass::front, Pass::near};
-    return std::span(passes).first(type == ShapeType::mesh ? 1 : 2);
+    static constexpr Pass one[] = {Pass::small};
+    static constexpr Pass of_polyhedra[] = {Pass::small, Pass::near};
+    static constexpr Pass all[] = {Pass::small, Pass::large, Pass::near};
+    if (type == ShapeType::mesh) {
+        return one;
+    }
+    return is_polyhedron(type) ? std::span<const Pass>(of_polyhedra) : all;
 }
 
 std::vector<PrimitiveVariant> variants_of(const Packed& packed) {
@@ -176,7 +181,7 @@ struct Renderer::State {
                 if (!program) {
                     return program.error();
                 }
-                (pass == Pass::front ? draw.front_program : draw.near_program) = program.value();
+                draw.programs[static_cast<std::size_t>(pass)] = program.value();
             }
         }
         return Done{};

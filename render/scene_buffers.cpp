@@ -104,8 +104,12 @@ void upload_batches(const Packed& packed, const Proxies& proxies, SceneBuffers& 
             commands.push_back(proxy_command(proxies.box));
         }
         scene.bytes += batch.records.size();
-        scene.draws.push_back({batch.type, batch.transparent, batch.count,
-                               make_buffer(batch.records), first_command, 0, 0});
+        scene.draws.push_back({batch.type,
+                               batch.transparent,
+                               batch.count,
+                               make_buffer(batch.records),
+                               first_command,
+                               {}});
     }
     scene.batches = upload_array(blocks, scene);
     scene.empty_commands = upload_array(commands, scene);

@@ -5,6 +5,7 @@
 #include "render/proxies.h"
 #include "scene/pack.h"
 
+#include <array>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -18,8 +19,7 @@ struct DrawBatch {
     std::uint32_t count = 0;
     GlBuffer records;
     std::uint32_t first_command = 0;
-    GLuint front_program = 0;  // owned by SceneBuffers::programs
-    GLuint near_program = 0;   // 0 for meshes
+    std::array<GLuint, 3> programs{};  // by pass; 0 where there is none; SceneBuffers owns them
 };
 
 // Chunks whose bounds fit into one storage block.

@@ -1,6 +1,5 @@
 // Proxies of the parts of one batch: what is rasterised to start their rays. Defines: THIS_SHAPE,
-// HULL_RINGS, [NEAR], [FACETS], [THIS_FORM].
-#extension GL_ARB_shader_draw_parameters : require
+// HULL_RINGS, [LARGE] or [NEAR], [FACETS], [THIS_FORM].
 #include "shaders/layout.glsl"
 #include "shaders/double_placement.glsl"
 #include "shaders/kernel.glsl"
@@ -35,78 +34,80 @@ layout(location = 0) uniform uint batch_index;
 
 // Proxies are wider than their shapes by this: a twentieth of a pixel, the joints' overlap, and
 // float's error.
-double margin_of(dvec3 centre, Bounds box, double nearest_depth) {
-    double size = double(length(box.high - box.low));
-    double pixel =
-        camera.step * (camera.orthographic != 0 ? 1.0 : max(nearest_depth, camera.near_depth));
-    return 0.05 * pixel + min(double(joint_overlap_max), 0.01 * size) +
-           2e-6 * (size + length(centre));
+float margin_of(float distance, Bounds box) {
+    float size = length(box.high - box.low);
+    return 0.05 * setup.pixel_size + min(joint_overlap_max, 0.01 * size) + 2e-6 * (size + distance);
 }
 
-PartView part_view_of(dvec3 centre, dvec4 rotation, Bounds box) {
+PartView part_view_of(vec3 from_eye, vec3 forward, Bounds box) {
     PartView view;
     view.centre = 0.5 * (box.low + box.high);
     view.parallel = camera.orthographic != 0;
-    dvec3 seen = turn_back(rotation, centre) + dvec3(view.centre);
-    dvec3 forward = view.parallel ? turn_back(rotation, -camera.back.xyz) : normalize(seen);
-    view.forward = vec3(forward);
-    view.depth = float(dot(seen, forward));
+    vec3 seen = from_eye + view.centre;
+    view.forward = view.parallel ? forward : normalize(seen);
+    view.depth = dot(seen, view.forward);
     return view;
 }
 
-uint vertices_of(int kind) {
-#ifndef FACETS
-    if (kind == command_hull) {
-        return HULL_RINGS == 1 ? uint(outline_corners) : 8u * uint(HULL_RINGS);
-    }
-    if (kind == command_small && camera.proxy != proxy_box) {
-        return 4u;
-    }
+#if defined(NEAR)
+const int this_command = command_near;
+#elif defined(LARGE)
+const int this_command = command_hull;
+#else
+const int this_command = command_small;
 #endif
+
+uint vertices_of_part() {
+#if defined(LARGE)
+    return HULL_RINGS == 1 ? uint(outline_corners) : 8u * uint(HULL_RINGS);
+#elif defined(NEAR) || defined(FACETS)
     return 8u;
+#else
+    return camera.proxy == proxy_box ? 8u : 4u;
+#endif
 }
 
 // The vertex's corner of what is drawn of its part, in the shape's frame.
-vec3 proxy_corner(THIS_SHAPE shape, PartView view, int kind, int vertex, float margin) {
-    if (kind == command_hull) {
-#if HULL_RINGS == 1
-        return polygon_corner(shape, view, ivec2(vertex, outline_corners), margin);
+vec3 proxy_corner(THIS_SHAPE shape, PartView view, int vertex, float margin) {
+#if defined(LARGE) && HULL_RINGS == 1
+    return polygon_corner(shape, view, ivec2(vertex, outline_corners), margin);
+#elif defined(LARGE)
+    return hull_point(shape, min(vertex / 8, hull_rings(shape) - 1), vertex % 8, margin);
 #else
-        return hull_point(shape, min(vertex / 8, hull_rings(shape) - 1), vertex % 8, margin);
-#endif
-    }
-    if (kind == command_small && camera.proxy != proxy_box) {
+#ifndef NEAR
+    if (camera.proxy != proxy_box) {
         return polygon_corner(shape, view, ivec2(vertex, 4), margin);
     }
+#endif
     Bounds box = bounds(shape);
     return mix(box.low - margin, box.high + margin,
                bvec3((vertex & 1) != 0, (vertex & 2) != 0, (vertex & 4) != 0));
+#endif
 }
 
 void main() {
     BatchBlock batch = batches[batch_index];
-#ifdef NEAR
-    int kind = command_near;
-#else
-    int kind = gl_DrawIDARB;
-#endif
-    uint vertices = vertices_of(kind);
+    uint vertices = vertices_of_part();
     uint slot = uint(gl_InstanceID) * parts_per_instance + uint(gl_VertexID) / vertices;
     int vertex = int(uint(gl_VertexID) % vertices);
-    if (slot >= commands[batch.first_command + uint(kind)].part_count) {
+    if (slot >= commands[batch.first_command + uint(this_command)].part_count) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
-    // Small parts fill the batch's part of the list from its start, hulls from its end.
-#ifdef NEAR
+    // Small parts fill the batch's part of the list from its start, large ones from its end.
+#if defined(NEAR)
     uint record_index = near_parts[batch.first + slot];
+#elif defined(LARGE)
+    uint record_index = visible[batch.first + batch.count - 1u - slot];
 #else
-    uint record_index =
-        visible[kind == command_hull ? batch.first + batch.count - 1u - slot : batch.first + slot];
+    uint record_index = visible[batch.first + slot];
 #endif
 
     Placement placement = records[record_index].placement;
     THIS_SHAPE shape = records[record_index].shape;
+#if defined(THIS_FORM) && THIS_FORM % 4 >= 2
+    shape.arc = 2.0 * pi();  // known, so that what ends need is not compiled
+#endif
     dvec3 centre = place_from_eye(placement);
     dvec4 rotation = exact_rotation_of(placement);
 #ifdef FACETS
@@ -115,8 +116,11 @@ void main() {
 #else
     Bounds box = bounds(shape);
     setup = make_ray_setup(centre, rotation, dvec3(box.low), dvec3(box.high));
-    float margin = float(margin_of(centre, box, double(setup.depth)));
-    vec3 corner = proxy_corner(shape, part_view_of(centre, rotation, box), kind, vertex, margin);
+    // What follows may err by a hundredth of a pixel: float suffices.
+    vec3 in_shape = vec3(turn_back(rotation, centre));
+    vec3 forward = turn_back(vec4(rotation), -vec3(camera.back.xyz));
+    vec3 corner = proxy_corner(shape, part_view_of(in_shape, forward, box), vertex,
+                               margin_of(length(in_shape), box));
 #endif
     part_shape = shape;
     part_rotation =

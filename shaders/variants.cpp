@@ -30,6 +30,9 @@ std::string defines_of(const PrimitiveVariant& variant) {
     if (variant.pass == Pass::near) {
         defines += "#define NEAR\n";
     }
+    if (variant.pass == Pass::large) {
+        defines += "#define LARGE\n";
+    }
     if (!casts_rays(variant)) {
         defines += "#define FACETS\n";
     } else if (variant.inspect) {
@@ -57,7 +60,7 @@ PrimitiveVariant in_pass(PrimitiveVariant variant, Pass pass) {
 
 bool casts_rays(const PrimitiveVariant& variant) {
     return variant.type != ShapeType::mesh &&
-           !(variant.pass == Pass::front && is_polyhedron(variant.type));
+           !(variant.pass != Pass::near && is_polyhedron(variant.type));
 }
 
 ProgramText program_text(const PrimitiveVariant& variant) {
@@ -112,7 +115,10 @@ std::vector<NamedText> all_shader_texts() {
                                                    .form = form,
                                                    .hull_rings = 4,
                                                    .transparent = transparent};
-                    add(name + "-front", variant);
+                    add(name + "-small", variant);
+                    if (!shape.polyhedron) {
+                        add(name + "-large", in_pass(variant, Pass::large));
+                    }
                     add(name + "-near", in_pass(variant, Pass::near));
                 }
             }

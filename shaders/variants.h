@@ -10,10 +10,11 @@
 
 namespace quartic {
 
-// How the parts of a batch are drawn.
+// How the parts of a batch are drawn: each by the one command of layout.glsl.
 enum class Pass {
-    front,  // front faces of proxies, with conservative depth
-    near,   // back faces of proxies that the near plane cuts or the eye is in
+    small,  // front faces of quads, boxes or facets, with conservative depth; also meshes
+    large,  // front faces of hulls or of polygons around outlines
+    near,   // back faces of the boxes of those that the near plane cuts or the eye is in
 };
 
 struct PrimitiveVariant {
@@ -22,7 +23,7 @@ struct PrimitiveVariant {
     int form = 0;  // of Prepared shapes
     int hull_rings = 2;
     bool transparent = false;
-    Pass pass = Pass::front;
+    Pass pass = Pass::small;
     bool inspect = false;  // its rays are recorded (inspect.glsl)
 };
 
