@@ -15,6 +15,8 @@ constexpr BenchRow rows[] = {
     {"quartics", "every solver on famous quartic surfaces, zooming in on singular points",
      bench_quartics},
     {"solvers", "every solver on models of yours: time, and wrong pixels", bench_solvers},
+    {"proxies", "rays that each proxy wastes, and frame times of each by the size of parts",
+     bench_proxies, 48},
 };
 
 }  // namespace
