@@ -13,15 +13,17 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double fov = 30.0 * pi / 180.0;
 
-// The farthest point across any plane is also the farthest from the centre, up to the angle to the
-// closest of these directions: an error of less than 1 in 1000.
+// Of points spread over the surface, edges included.
 template <class Shape>
 double radius_around(const Shape& shape, const glm::dvec3& centre) {
-    constexpr int directions = 4000;
+    constexpr int steps = 64;
     double radius = 0.0;
-    for (int i = 0; i < directions; ++i) {
-        const f64::vec3 point = f64().farthest(shape, f64::vec3(spread_direction(i, directions)));
-        radius = std::max(radius, glm::length(glm::dvec3(point) - centre));
+    for (int face = 0; face < f64().face_count(shape); ++face) {
+        for (int i = 0; i <= steps * (steps + 1) + steps; ++i) {
+            const f64::vec2 uv(double(i % (steps + 1)) / steps, double(i / (steps + 1)) / steps);
+            const f64::vec3 point = f64().point(shape, face, uv);
+            radius = std::max(radius, glm::length(glm::dvec3(point) - centre));
+        }
     }
     return radius;
 }
