@@ -19,7 +19,7 @@ struct BenchSettings {
     int rounds = 9;
     int threads = 0;                  // of loading; 0: as many as the machine has
     int copies = 1;                   // of RVM files, to make them big
-    int views = 3;                    // of models and surfaces
+    int views = 0;                    // of models, surfaces and proxies; 0: BenchRow::views
     std::uint64_t count_max = 16384;  // of tori
     std::uint64_t rays = 1'000'000;   // random ones
     bool software = false;            // Mesa's OpenGL, whatever the machine has
@@ -31,6 +31,7 @@ struct BenchRow {
     std::string_view name;
     std::string_view what;
     Result<Report> (*run)(const BenchSettings& settings);
+    int views = 3;  // if the settings leave it open
 };
 
 std::span<const BenchRow> bench_table();
@@ -43,5 +44,6 @@ Result<Report> bench_cubics(const BenchSettings& settings);
 Result<Report> bench_quartics(const BenchSettings& settings);
 Result<Report> bench_rays(const BenchSettings& settings);
 Result<Report> bench_solvers(const BenchSettings& settings);
+Result<Report> bench_proxies(const BenchSettings& settings);
 
 }  // namespace quartic

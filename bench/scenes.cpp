@@ -1,8 +1,6 @@
 // Makes the scenes of the solvers' benchmarks.
 #include "bench/scenes.h"
 
-#include "generators/random.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -33,16 +31,6 @@ struct RingGrid {
         return pitch * (cell + glm::dvec3(0.5, 0.5, -0.5)) - glm::dvec3(1.0, 1.0, 0.0);
     }
 };
-
-// Evenly spread rotations (Shoemake 1992, Graphics Gems III, "Uniform random rotations").
-glm::dquat random_rotation(Random& random) {
-    const double part = random.between(0.0, 1.0);
-    const double first = random.between(0.0, 2.0 * pi);
-    const double second = random.between(0.0, 2.0 * pi);
-    const double a = std::sqrt(1.0 - part);
-    const double b = std::sqrt(part);
-    return {b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second)};
-}
 
 f64::Torus ring_of_size(double outer_radius) {
     f64::Torus ring = test_ring;
@@ -75,6 +63,8 @@ Mesh polygon_ring(const f64::Torus& ring, int sides) {
     return mesh;
 }
 
+}  // namespace
+
 Scene empty_scene() {
     Scene scene;
     scene.nodes.emplace_back();
@@ -82,7 +72,14 @@ Scene empty_scene() {
     return scene;
 }
 
-}  // namespace
+glm::dquat random_rotation(Random& random) {
+    const double part = random.between(0.0, 1.0);
+    const double first = random.between(0.0, 2.0 * pi);
+    const double second = random.between(0.0, 2.0 * pi);
+    const double a = std::sqrt(1.0 - part);
+    const double b = std::sqrt(part);
+    return {b * std::cos(second), a * std::sin(first), a * std::cos(first), b * std::sin(second)};
+}
 
 f32::Torus float_ring() {
     return {static_cast<float>(test_ring.bend_radius), static_cast<float>(test_ring.radius),

@@ -2,6 +2,7 @@
 // surfaces.
 #pragma once
 
+#include "generators/random.h"
 #include "scene/camera.h"
 #include "scene/polynomial3.h"
 #include "scene/scene.h"
@@ -14,6 +15,12 @@ namespace quartic {
 
 // The ring of de Toledo, Levy, Paul 2007, section 5: both radii sum to 1.
 constexpr f64::Torus test_ring{0.7, 0.3, 2.0 * std::numbers::pi, 0.0};
+
+// One node and one material, and nothing in it.
+Scene empty_scene();
+
+// Evenly spread rotations (Shoemake 1992, Graphics Gems III, "Uniform random rotations").
+glm::dquat random_rotation(Random& random);
 
 // As the GPU has it.
 f32::Torus float_ring();

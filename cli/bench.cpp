@@ -114,6 +114,7 @@ ExitCode bench(const BenchArguments& arguments) {
         rows.begin(), rows.end(), [&](const BenchRow& row) { return row.name == arguments.name; });
     BenchSettings settings = arguments.settings;
     settings.is_stopped = is_interrupted;
+    settings.views = settings.views == 0 ? found->views : settings.views;
     if (!arguments.size.empty()) {
         settings.size = *find_size(arguments.size);
     }
@@ -144,8 +145,9 @@ void add_bench(CLI::App& program, Run& run) {
         ->check(CLI::Range(1, 10000));
     verb.add_option("--size", arguments->size, "WxH in pixels; left out: as the benchmark has it")
         ->check(check_size);
-    verb.add_option("--views", settings.views, "of models and of surfaces")
-        ->check(CLI::Range(1, 1000));
+    verb.add_option("--views", settings.views, "of models and of surfaces (3), and of proxies (48)")
+        ->check(CLI::Range(1, 1000))
+        ->default_str("");
     verb.add_option("--rays", settings.rays, "how many, in rays; ten billion take a day")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
     verb.add_option("--count-max", settings.count_max, "of tori, in many-tori")
