@@ -142,21 +142,40 @@ private:
     bool ring_;
 };
 
+// A hundredth of a pixel, 1024 of which span the torus.
+Long tie_distance(const f32::Torus& torus) {
+    return 0.01L * 2.0L * Long(torus.bend_radius + torus.radius) / 1024.0L;
+}
+
 LongRay exact(const f32::Ray& ray) {
     return {LongVector(ray.origin), LongVector(ray.direction), Long(ray.first)};
+}
+
+// Whether the tube is less than a hundredth of a pixel deep all the way between two places: what a
+// ray passes there, no float can see.
+bool is_shallow(const LongRay& ray, Long from, Long to, const f32::Torus& torus) {
+    constexpr int samples = 64;
+    for (int i = 0; i <= samples; ++i) {
+        const LongVector p = ray.origin + (from + (to - from) * Long(i) / samples) * ray.direction;
+        const Long spine = std::hypot(std::hypot(p.x, p.y) - Long(torus.bend_radius), p.z);
+        if (Long(torus.radius) - spine > tie_distance(torus)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Whether the truth of a ray less than a hundredth of a pixel aside is what the solver found. Also
 // of rays much nearer: where a ray grazes, a little aside moves its hit far along.
 bool is_tie(const Truth& truth, const LongRay& ray, const f32::Hit& hit, const f32::Torus& torus) {
-    const Long aside = 0.01L * 2.0L * Long(torus.bend_radius + torus.radius) / 1024.0L;
+    const Long aside = tie_distance(torus);
     const LongVector axis =
         std::abs(ray.direction.x) < 0.6L ? LongVector(1, 0, 0) : LongVector(0, 1, 0);
     const LongVector u = glm::normalize(glm::cross(ray.direction, axis));
     const LongVector v = glm::normalize(glm::cross(ray.direction, u));
-    for (int i = 0; i < 8 * 4; ++i) {
+    for (int i = 0; i < 8 * 16; ++i) {
         const Long angle = Long(i % 8) * std::numbers::pi_v<Long> / 4.0L;
-        const Long distance = aside * std::pow(0.1L, Long(i / 8));
+        const Long distance = aside * std::pow(0.5L, Long(i / 8));
         LongRay beside = ray;
         beside.origin += distance * (std::cos(angle) * u + std::sin(angle) * v);
         const Long t = truth.first_hit(beside);
@@ -189,7 +208,8 @@ void try_ray(Random& random, const RayTrialOptions& options, RayTrial& into) {
         }
         return;
     }
-    if (is_tie(truth, same, hit, torus)) {
+    const bool passed = found && hit.found && Long(hit.t) > t;
+    if ((passed && is_shallow(same, t, Long(hit.t), torus)) || is_tie(truth, same, hit, torus)) {
         ++into.ties;
     } else {
         ++(found == hit.found ? into.elsewhere_hard : found ? into.missed_hard : into.false_hard);

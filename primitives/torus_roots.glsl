@@ -44,25 +44,10 @@ Polynomial torus_quartic(Torus torus, Ray line, bool nears_axis, int solver) {
     return f;
 }
 
-bool is_inside(Torus torus, vec3 p) {
-    return length(from_spine(torus, p)) < torus.radius;
-}
-
-Root first_wall_root(Torus torus, Ray line, Span cut, ArcEnds ends, int solver) {
-    Search search;
-    search.low = cut.enter;
-    search.high = cut.exit;
-    search.tolerance = last_step() * torus.radius;
-    search.scale = torus.bend_radius + torus.radius;
-    search.resolution = line.pixel;
-    search.starts_above = ends.form == arc_whole_from_outside;
-    if (is_exact(solver) && ends.nears_axis) {
-        // Where the tube nearly meets the axis it bends far more sharply than its radius says.
-        search.tolerance =
-            last_step() * clamp(length(line.origin), real(0.001) * torus.radius, torus.radius);
-    }
+// f as torus_quartic() makes it for this solver.
+Root first_wall_root(Torus torus, Polynomial f, Ray line, Search search, int solver) {
     if (solver == solver_sphere_tracing || solver == solver_sphere_tracing_two_ray) {
         return march(torus, line, search, solver == solver_sphere_tracing_two_ray);
     }
-    return first_root(torus_quartic(torus, line, ends.nears_axis, solver), search, solver);
+    return first_root(f, search, solver);
 }

@@ -6,6 +6,29 @@ struct TorusCrossing {
     int steps;
 };
 
+Search wall_search(Torus torus, Ray line, Span cut, ArcEnds ends, int solver) {
+    Search search;
+    search.low = cut.enter;
+    search.high = cut.exit;
+    search.tolerance = last_step() * torus.radius;
+    search.scale = torus.bend_radius + torus.radius;
+    search.resolution = line.pixel;
+    search.starts_above = ends.form == arc_whole_from_outside;
+    if (is_exact(solver) && ends.nears_axis) {
+        // Where the tube nearly meets the axis it bends far more sharply than its radius says.
+        search.tolerance =
+            last_step() * clamp(length(line.origin), real(0.001) * torus.radius, torus.radius);
+    }
+    return search;
+}
+
+// Whether the cap that a cut lies on is seen there. The wall's own quartic says so: a rim where cap
+// and wall round differently would let rays through.
+bool meets_cap(Polynomial f, real t, int face, ArcEnds ends) {
+    f.as_squares = true;
+    return face > 0 && is_drawn(face, ends.open) && value_at(f, t) < real(0);
+}
+
 // The first crossing with what lies between two cuts, the end planes where they cut: cap, wall,
 // cap.
 TorusCrossing first_crossing(Torus torus, Ray line, Span cut, ArcEnds ends, int solver) {
@@ -17,18 +40,19 @@ TorusCrossing first_crossing(Torus torus, Ray line, Span cut, ArcEnds ends, int 
     if (cut.enter >= cut.exit) {
         return crossing;
     }
-    if (cut.enter_face > 0 && is_drawn(cut.enter_face, ends.open) &&
-        is_inside(torus, at(line, cut.enter))) {
+    Polynomial f = torus_quartic(torus, line, ends.nears_axis, solver);
+    if (meets_cap(f, cut.enter, cut.enter_face, ends)) {
         crossing.at.found = true;
         return crossing;
     }
-    Root root = first_wall_root(torus, line, cut, ends, solver);
+    Search search = wall_search(torus, line, cut, ends, solver);
+    Root root = first_wall_root(torus, f, line, search, solver);
     crossing.steps = root.steps;
     crossing.at.found = root.found;
     crossing.at.t = root.t;
     crossing.at.face = 0;
-    if (!root.found && cut.exit_face > 0 && is_drawn(cut.exit_face, ends.open)) {
-        crossing.at.found = is_inside(torus, at(line, cut.exit));
+    if (!root.found && meets_cap(f, cut.exit, cut.exit_face, ends)) {
+        crossing.at.found = true;
         crossing.at.t = cut.exit;
         crossing.at.face = cut.exit_face;
     }
