@@ -14,6 +14,7 @@ constexpr BenchRow rows[] = {
      bench_cubics},
     {"quartics", "every solver on famous quartic surfaces, zooming in on singular points",
      bench_quartics},
+    {"rays", "the default solver on random and grazing rays, against the truth", bench_rays},
     {"solvers", "every solver on models of yours: time, and wrong pixels", bench_solvers},
     {"proxies", "rays that each proxy wastes, and frame times of each by the size of parts",
      bench_proxies, 48},

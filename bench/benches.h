@@ -21,6 +21,7 @@ struct BenchSettings {
     int copies = 1;                   // of RVM files, to make them big
     int views = 0;                    // of models, surfaces and proxies; 0: BenchRow::views
     std::uint64_t count_max = 16384;  // of tori
+    std::uint64_t rays = 1'000'000;   // random ones
     bool software = false;            // Mesa's OpenGL, whatever the machine has
     std::function<bool()> is_stopped = [] { return false; };
     std::function<void(const std::string&)> note = [](const std::string&) {};  // what goes on
@@ -41,6 +42,7 @@ Result<Report> bench_one_torus(const BenchSettings& settings);
 Result<Report> bench_many_tori(const BenchSettings& settings);
 Result<Report> bench_cubics(const BenchSettings& settings);
 Result<Report> bench_quartics(const BenchSettings& settings);
+Result<Report> bench_rays(const BenchSettings& settings);
 Result<Report> bench_solvers(const BenchSettings& settings);
 Result<Report> bench_proxies(const BenchSettings& settings);
 

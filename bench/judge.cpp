@@ -93,7 +93,10 @@ void add(const Judgement& from, Judgement& into) {
 }
 
 Judge::Judge(Crossings crossings, const View& view, double length, double far_apart)
-    : crossings_(std::move(crossings)), view_(view), length_(length), far_apart_(far_apart) {
+    : crossings_(std::move(crossings)),
+      view_(view),
+      length_(Long(length)),
+      far_apart_(Long(far_apart)) {
     pixels_.resize(index_of(view.size, 0, view.size.height));
 }
 
@@ -147,7 +150,7 @@ bool Judge::is_tie(const Answer& answer, const Pixel& pixel) const {
     const Long speed = glm::length(answer.ray.direction);
     return std::any_of(pixel.beside.begin(), pixel.beside.end(), [&](double t) {
         return t == nowhere ? !answer.found
-                            : answer.found && std::abs(t - answer.t) * speed <= far_apart_;
+                            : answer.found && std::abs(Long(t) - answer.t) * speed <= far_apart_;
     });
 }
 

@@ -319,9 +319,9 @@ Table views_table(const Methods& methods) {
     for (std::size_t i = 0; i < angle_count; ++i) {
         table.rows.push_back({{"angle_deg", paper_angles_deg[i]},
                               {"bbox_pixels", box.judged[i].covered},
-                              {"paper_bbox_pixels", 1e3 * paper_box_kilopixels[i]},
+                              {"paper_bbox_pixels", std::lround(1e3 * paper_box_kilopixels[i])},
                               {"torus_pixels", box.judged[i].hits},
-                              {"paper_torus_pixels", 1e3 * paper_torus_kilopixels[i]},
+                              {"paper_torus_pixels", std::lround(1e3 * paper_torus_kilopixels[i])},
                               {"waste_pct", 100.0 * box.judged[i].waste()},
                               {"paper_waste_pct", paper_waste_pct[i]},
                               {"auto_proxy_waste_pct", 100.0 * automatic.judged[i].waste()}});

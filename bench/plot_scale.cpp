@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace quartic {
 namespace {
@@ -28,8 +29,8 @@ double round_step(double length, int pieces) {
 
 PlotScale::PlotScale(const std::vector<double>& values, bool logarithmic)
     : logarithmic_(logarithmic) {
-    double least = INFINITY;
-    double most = -INFINITY;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
     for (const double value : values) {
         if (std::isfinite(value) && (!logarithmic || value > 0.0)) {
             least = std::min(least, value);

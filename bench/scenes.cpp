@@ -18,9 +18,9 @@ struct RingGrid {
     std::uint64_t layers;
     double pitch;  // of the grid; the rings nearly touch
 
-    // Powers of four fill their grids.
+    // As deep as it is wide, so that rings lie on each other the more the more there are.
     explicit RingGrid(std::uint64_t count)
-        : side(std::uint64_t{1} << std::lround(std::log2(static_cast<double>(count)) / 3.0)),
+        : side(static_cast<std::uint64_t>(std::lround(std::cbrt(static_cast<double>(count))))),
           layers((count + side * side - 1) / (side * side)),
           pitch(2.0 / static_cast<double>(side)) {}
 

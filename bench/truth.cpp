@@ -202,7 +202,7 @@ Powers along(const std::array<float, 35>& terms, const LongVector& p, const Long
         for (std::size_t j = 5 - i; j-- > 0;) {
             Powers in_z{};
             for (std::size_t k = 5 - i - j; k-- > 0;) {
-                const Long factor = terms[term++];
+                const Long factor = Long(terms[term++]);
                 for (std::size_t n = 0; n < 5; ++n) {
                     in_z[n] += factor * z[k][n];
                 }
@@ -238,8 +238,8 @@ RealRoots real_roots(const std::array<Long, 5>& c, Long low, Long high) {
 }
 
 Crossings crossings_of(const f32::Torus& ring) {
-    const Long bend = ring.bend_radius;
-    const Long radius = ring.radius;
+    const Long bend = Long(ring.bend_radius);
+    const Long radius = Long(ring.radius);
     return [bend, radius](const LongRay& ray) {
         const CentredRay line = centred(ray, 1.0L);
         const Long q = glm::dot(line.p, line.p);
@@ -263,7 +263,7 @@ Crossings crossings_of(const f32::Torus& ring) {
 
 Crossings crossings_of(const std::array<float, 35>& coefficients, float half_size) {
     return [coefficients, half_size](const LongRay& ray) {
-        const CentredRay line = centred(ray, half_size);
+        const CentredRay line = centred(ray, Long(half_size));
         Long low = line.low;
         Long high = std::numeric_limits<Long>::max();
         for (int axis = 0; axis < 3; ++axis) {

@@ -148,6 +148,8 @@ void add_bench(CLI::App& program, Run& run) {
     verb.add_option("--views", settings.views, "of models and of surfaces (3), and of proxies (48)")
         ->check(CLI::Range(1, 1000))
         ->default_str("");
+    verb.add_option("--rays", settings.rays, "how many, in rays; ten billion take a day")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
     verb.add_option("--count-max", settings.count_max, "of tori, in many-tori")
         ->check(CLI::Range(1, 4194304));
     verb.add_option("--threads", settings.threads, "of load; 0: as many as the machine has")

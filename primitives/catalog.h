@@ -27,6 +27,7 @@ SHAPE(12, QuarticSurface, quartic)
 #include "primitives/quartic_surface.glsl"
 #include "primitives/rectangular_torus.glsl"
 #include "primitives/snout.glsl"
+#include "primitives/snout_proxy.glsl"
 #include "primitives/sphere.glsl"
 #include "primitives/torus.glsl"
 #include "primitives/torus_march.glsl"

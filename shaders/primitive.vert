@@ -32,6 +32,7 @@ layout(std430, binding = binding_batches) readonly buffer Batches {
 };
 layout(location = 0) uniform uint batch_index;
 
+#ifndef FACETS
 // Proxies are wider than their shapes by this: a twentieth of a pixel, the joints' overlap, and
 // float's error.
 float margin_of(float distance, Bounds box) {
@@ -48,6 +49,8 @@ PartView part_view_of(vec3 from_eye, vec3 forward, Bounds box) {
     view.depth = dot(seen, view.forward);
     return view;
 }
+
+#endif
 
 #if defined(NEAR)
 const int this_command = command_near;
@@ -67,6 +70,7 @@ uint vertices_of_part() {
 #endif
 }
 
+#ifndef FACETS
 // The vertex's corner of what is drawn of its part, in the shape's frame.
 vec3 proxy_corner(THIS_SHAPE shape, PartView view, int vertex, float margin) {
 #if defined(LARGE) && HULL_RINGS == 1
@@ -84,6 +88,7 @@ vec3 proxy_corner(THIS_SHAPE shape, PartView view, int vertex, float margin) {
                bvec3((vertex & 1) != 0, (vertex & 2) != 0, (vertex & 4) != 0));
 #endif
 }
+#endif
 
 void main() {
     BatchBlock batch = batches[batch_index];

@@ -146,7 +146,9 @@ QuadPolynomial turned_remainder(QuadPolynomial f, const QuadPolynomial& g) {
 }
 
 // Sturm's theorem: how many roots lie in an interval.
-int count_roots(const QuadPolynomial& f, Quad low, Quad high) {
+int count_roots(const QuadPolynomial& f, Long from, Long to) {
+    const auto low = static_cast<Quad>(from);
+    const auto high = static_cast<Quad>(to);
     std::vector<QuadPolynomial> chain{f, derivative(f)};
     while (chain.back().degree > 0) {
         chain.push_back(turned_remainder(chain[chain.size() - 2], chain.back()));
@@ -175,6 +177,10 @@ QuadPolynomial through(const std::array<Quad, 5>& y) {
     f.c = {y[2], odd1 - (odd2 - odd1) / 3, even1 - (even2 - even1) / 3, (odd2 - odd1) / 3,
            (even2 - even1) / 3};
     return f;
+}
+
+Quad square(Quad x) {
+    return x * x;
 }
 
 using QuadVector = std::array<Quad, 3>;
@@ -211,7 +217,7 @@ LongRay random_ray(Random& random, double reach) {
 // sign.
 void expect_sign_changes(const QuadPolynomial& f, const RealRoots& roots) {
     for (int i = 0; i < roots.count; ++i) {
-        const Quad t = roots.t[static_cast<std::size_t>(i)];
+        const Quad t = static_cast<Quad>(roots.t[static_cast<std::size_t>(i)]);
         const Quad before = value_at(f, t - static_cast<Quad>(1e-12));
         const Quad after = value_at(f, t + static_cast<Quad>(1e-12));
         EXPECT_TRUE((before < 0) != (after < 0)) << static_cast<double>(t);
@@ -226,8 +232,8 @@ TEST(Crossings, of_rings_are_those_of_quadruple_precision) {
                               0.0f};
         const LongRay ray = random_ray(random, 1.0);
         const RealRoots found = crossings_of(ring)(ray);
-        const Quad bend2 = static_cast<Quad>(ring.bend_radius) * ring.bend_radius;
-        const Quad radius2 = static_cast<Quad>(ring.radius) * ring.radius;
+        const Quad bend2 = square(static_cast<Quad>(ring.bend_radius));
+        const Quad radius2 = square(static_cast<Quad>(ring.radius));
         const QuadPolynomial f = along(ray, [&](const QuadVector& p) {
             const Quad k = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - bend2 - radius2;
             return k * k + 4 * bend2 * (p[2] * p[2] - radius2);
@@ -279,14 +285,15 @@ TEST(Crossings, of_algebraic_surfaces_are_those_of_quadruple_precision) {
             const auto power = [&](std::size_t axis, int exponent) {
                 Quad value = 1;
                 for (int n = 0; n < exponent; ++n) {
-                    value *= p[axis] / half_size;
+                    value *= p[axis] / static_cast<Quad>(half_size);
                 }
                 return value;
             };
             for (int a = 4; a >= 0; --a) {
                 for (int b = 4 - a; b >= 0; --b) {
                     for (int c = 4 - a - b; c >= 0; --c) {
-                        sum += terms[term++] * power(0, a) * power(1, b) * power(2, c);
+                        sum += static_cast<Quad>(terms[term++]) * power(0, a) * power(1, b) *
+                               power(2, c);
                     }
                 }
             }
@@ -300,7 +307,8 @@ TEST(Crossings, of_algebraic_surfaces_are_those_of_quadruple_precision) {
             const Long t = found.t[static_cast<std::size_t>(n)];
             EXPECT_GE(t, ray.first);
             const LongVector place = glm::abs(ray.origin + t * ray.direction);
-            EXPECT_LE(std::max({place.x, place.y, place.z}), half_size * (1.0L + 1e-15L));
+            EXPECT_LE(std::max({place.x, place.y, place.z}),
+                      static_cast<Long>(half_size) * (1.0L + 1e-15L));
         }
         roots += found.count;
     }

@@ -71,7 +71,8 @@ TEST_F(LayoutTest, storage_blocks_have_the_same_offsets_in_the_culling_shader) {
 
 TEST_F(LayoutTest, records_of_every_shape_are_as_long_as_in_cpp) {
     for (const ShapeRow& shape : shape_table()) {
-        const ProgramText text = program_text({.type = shape.type, .solver = 1, .pass = Pass::near});
+        const ProgramText text =
+            program_text({.type = shape.type, .solver = 1, .pass = Pass::near});
         const GLuint program = compile(GL_VERTEX_SHADER, text.vertex);
         const GLuint index =
             glGetProgramResourceIndex(program, GL_BUFFER_VARIABLE, "records[0].placement.bits");

@@ -103,6 +103,33 @@ TYPED_TEST(Hull, the_hull_holds_every_point) {
     }
 }
 
+TYPED_TEST(Hull, no_point_lies_beyond_the_farthest_one) {
+    f64 kernel;
+    Numbers numbers(17);
+    int index = 0;
+    for (const TypeParam& shape : test::samples<TypeParam>()) {
+        SCOPED_TRACE(index++);
+        const double size = test::size_of(shape);
+        const f64::Bounds box = kernel.bounds(shape);
+        for (int i = 0; i < 40; ++i) {
+            const glm::dvec3 direction = numbers.direction();
+            const glm::dvec3 farthest = kernel.farthest(shape, direction);
+            for (int face = 0; face < kernel.face_count(shape); ++face) {
+                for (int k = 0; k < 40; ++k) {
+                    const glm::dvec3 p =
+                        kernel.point(shape, face, {numbers.next(), numbers.next()});
+                    EXPECT_LE(glm::dot(p, direction), glm::dot(farthest, direction) + 1e-9 * size);
+                }
+            }
+            // Nor is it far beyond them: an end's round cap may stand out of the box by its radius.
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_GE(farthest[axis], box.low[axis] - 0.5 * size);
+                EXPECT_LE(farthest[axis], box.high[axis] + 0.5 * size);
+            }
+        }
+    }
+}
+
 TYPED_TEST(Hull, the_hull_is_not_much_bigger_than_the_bounds) {
     f64 kernel;
     int index = 0;

@@ -68,8 +68,8 @@ typename Solver<Real>::Polynomial from_factors(Long p, Long q, Long s) {
 template <class Polynomial, class Real>
 auto first_root(const Polynomial& quartic, Real low, Real high, Real tolerance, int solver) {
     const Real scale = std::max(Real(0.5) * (high - low), tolerance);
-    return Solver<Real>().first_root(quartic, {low, high, tolerance, scale, Real(0.01) * tolerance, false},
-                                     solver);
+    return Solver<Real>().first_root(
+        quartic, {low, high, tolerance, scale, Real(0.01) * tolerance, false}, solver);
 }
 
 inline std::vector<int> ids_of(std::initializer_list<const char*> names) {
