@@ -164,6 +164,34 @@ TEST_F(BenchOfDrawing, solvers_of_a_model) {
                  "depth_error_p9999", "normal_error_deg_max"});
 }
 
+TEST_F(BenchOfDrawing, proxies) {
+    const json report = run({"proxies", "--views", "2"});
+    ASSERT_EQ(report["rows"].size(), 13u * 4u);
+    for (std::size_t i = 0; i < report["rows"].size(); i += 4) {
+        const json& box = report["rows"][i];
+        const json& quad = report["rows"][i + 1];
+        const json& hull = report["rows"][i + 2];
+        const std::string shape = box["shape"];
+        EXPECT_EQ(box["proxy"], "box");
+        EXPECT_EQ(hull["proxy"], "hull");
+        EXPECT_GT(box["compared_pixels"], 100) << shape;
+        EXPECT_GT(hull["waste"], 0.0) << shape;
+        EXPECT_LT(hull["waste"], box["waste"]) << shape;
+        for (const json& row : {quad, hull}) {
+            EXPECT_EQ(row["lost"], 0) << shape;
+            EXPECT_EQ(row["gained"], 0) << shape;
+        }
+    }
+    // 8, 16 and 32 pixels, of each shape and of all; all are small, for which there are quads.
+    ASSERT_EQ(report["times"].size(), 14u * 3u);
+    const json& time = report["times"][0];
+    expect_keys(time,
+                {"shape", "size_px", "seen_px", "fastest", "fastest_ratio_to_automatic", "right"});
+    EXPECT_EQ(time["frame_ms"].size(), 4u);
+    EXPECT_EQ(time["chosen"], "quad");
+    EXPECT_EQ(report["crossovers"].size(), 14u);
+}
+
 TEST(BenchUsage, solvers_need_a_model) {
     const Answer run = run_quartic({"bench", "solvers"});
     EXPECT_EQ(run.code, 2);
@@ -178,7 +206,8 @@ TEST(BenchUsage, report_of_no_known_form_is_refused_before_anything_is_measured)
 
 TEST(BenchUsage, help_lists_the_benchmarks) {
     const Answer run = run_quartic({"bench", "--help"});
-    for (const char* name : {"load", "one-torus", "many-tori", "cubics", "quartics", "solvers"}) {
+    for (const char* name :
+         {"load", "one-torus", "many-tori", "cubics", "quartics", "solvers", "proxies"}) {
         EXPECT_NE(run.out.find(name), std::string::npos) << name;
     }
 }
