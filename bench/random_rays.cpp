@@ -151,18 +151,22 @@ LongRay exact(const f32::Ray& ray) {
     return {LongVector(ray.origin), LongVector(ray.direction), Long(ray.first)};
 }
 
-// Whether the tube is less than a hundredth of a pixel deep all the way between two places: what a
-// ray passes there, no float can see.
-bool is_shallow(const LongRay& ray, Long from, Long to, const f32::Torus& torus) {
+// How deep in the tube a place of the ray is; negative outside.
+Long depth_at(const LongRay& ray, Long t, const f32::Torus& torus) {
+    const LongVector p = ray.origin + t * ray.direction;
+    return Long(torus.radius) - std::hypot(std::hypot(p.x, p.y) - Long(torus.bend_radius), p.z);
+}
+
+// Whether less than a hundredth of a pixel decides: the solver's place is that near to the wall,
+// and nothing deeper than that was passed on the way to it.
+bool is_graze(const LongRay& ray, Long true_t, Long solver_t, const f32::Torus& torus) {
     constexpr int samples = 64;
-    for (int i = 0; i <= samples; ++i) {
-        const LongVector p = ray.origin + (from + (to - from) * Long(i) / samples) * ray.direction;
-        const Long spine = std::hypot(std::hypot(p.x, p.y) - Long(torus.bend_radius), p.z);
-        if (Long(torus.radius) - spine > tie_distance(torus)) {
-            return false;
-        }
+    const Long tie = tie_distance(torus);
+    bool shallow = std::abs(depth_at(ray, solver_t, torus)) < tie;
+    for (int i = 0; i <= samples && solver_t > true_t && shallow; ++i) {
+        shallow = depth_at(ray, true_t + (solver_t - true_t) * Long(i) / samples, torus) < tie;
     }
-    return true;
+    return shallow;
 }
 
 // Whether the truth of a ray less than a hundredth of a pixel aside is what the solver found. Also
@@ -208,8 +212,7 @@ void try_ray(Random& random, const RayTrialOptions& options, RayTrial& into) {
         }
         return;
     }
-    const bool passed = found && hit.found && Long(hit.t) > t;
-    if ((passed && is_shallow(same, t, Long(hit.t), torus)) || is_tie(truth, same, hit, torus)) {
+    if ((hit.found && is_graze(same, t, Long(hit.t), torus)) || is_tie(truth, same, hit, torus)) {
         ++into.ties;
     } else {
         ++(found == hit.found ? into.elsewhere_hard : found ? into.missed_hard : into.false_hard);

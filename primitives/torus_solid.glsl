@@ -82,12 +82,14 @@ Hit hit_prepared(Torus torus, ArcEnds ends, Ray ray, int solver) {
     line.origin = ray.origin - shift * line.direction;
     line.first = ray.first * speed + shift;
 
-    real outer = torus.bend_radius + torus.radius;
+    // A little more than the sphere around the torus, or a ray that enters both in one place would
+    // seem to start inside.
+    real outer = real(1.0001) * (torus.bend_radius + torus.radius);
     real room = outer * outer - dot(line.origin, line.origin);
     if (room < real(0)) {
         return miss();
     }
-    real reach = real(1.00001) * sqrt(room);
+    real reach = sqrt(room);
     Sector sector = in_sector(line.origin, line.direction, ends);
     real low = max(-reach, line.first);
     TorusCrossing crossing;
