@@ -92,13 +92,9 @@ vec4 sector_box(real inner, real outer, real arc) {
     return vec4(low.x, low.y, high.x, high.y);
 }
 
-// Rings of a proxy along an arc: one at each end and one every 30 degrees at the most, of a full
-// turn, where chords stand out on the inner side too, every 22.5 degrees.
+// Rings of a proxy along an arc: one at each end and one every 22.5 degrees at the most.
 int arc_rings(real arc) {
-    if (arc >= real(2) * pi()) {
-        return 17;
-    }
-    return 1 + max(1, int(ceil(arc / (pi() / real(6)) - real(0.01))));
+    return 1 + max(1, int(ceil(arc / (pi() / real(8)) - real(0.01))));
 }
 
 // Maps a corner of a ring's section, (distance from the z axis, height), to a proxy's ring around

@@ -61,7 +61,14 @@ vec3 farthest(Torus torus, vec3 n) {
         real before_last = last.y * spine.x - last.x * spine.y;
         bool within = torus.arc > pi() ? after_first >= real(0) || before_last >= real(0)
                                        : after_first >= real(0) && before_last >= real(0);
-        spine = within ? spine : farther(first, last, n);
+        if (!within) {
+            bool is_first = dot(first, n) >= dot(last, n);
+            spine = is_first ? first : last;
+            vec3 along = is_first ? vec3(0, 1, 0) : vec3(-last.y, last.x, 0) / torus.bend_radius;
+            vec3 across_end = n - dot(n, along) * along;
+            real size = length(across_end);
+            return spine + (size > real(0) ? torus.radius / size : real(0)) * across_end;
+        }
     }
     return spine + torus.radius * normalize(n);
 }

@@ -75,7 +75,7 @@ Proxies make_proxies() {
     proxies.box = append(all, box_indices, 8);
     proxies.hulls[outline_rings] =
         append(all, polygon_indices(gpu::outline_corners), gpu::outline_corners);
-    for (const int rings : {2, 3, 4, 7, 13, 17}) {
+    for (const int rings : {2, 3, 4, 5, 9, 13, 17}) {
         proxies.hulls[rings] = append(all, hull_indices(rings), static_cast<unsigned>(rings) * 8);
     }
     proxies.indices = make_buffer(std::as_bytes(std::span(all)));

@@ -14,9 +14,9 @@ struct IndexRange {
     std::uint32_t count = 0;
 };
 
-// One index buffer with the patterns of a quad, a box, and hulls with 2, 3, 4, 7, 13 and 17 rings,
-// each repeated for gpu::parts_per_instance parts: vertex v of part p is number p * vertices + v.
-// Front faces wind counter-clockwise seen from outside.
+// One index buffer with the patterns of a quad, a box, and hulls with 2, 3, 4, 5, 9, 13 and 17
+// rings, each repeated for gpu::parts_per_instance parts: vertex v of part p is number p * vertices
+// + v. Front faces wind counter-clockwise seen from outside.
 struct Proxies {
     GlBuffer indices;
     IndexRange quad;

@@ -113,7 +113,7 @@ int rings_of(const Shape& shape) {
         return outline_rings;
     }
     const int rings = f32().hull_rings(shape);
-    return rings <= 4 ? rings : rings <= 7 ? 7 : rings <= 13 ? 13 : 17;
+    return rings <= 5 ? rings : rings <= 9 ? 9 : rings <= 13 ? 13 : 17;
 }
 
 template <class Shape>

@@ -22,7 +22,7 @@ layout(location = 1) uniform uint first_bounds;
 
 // Parts that appear larger than this are rasterised by their hulls, which cost more vertices and
 // fewer pixels.
-const float hull_size_min_px = 96.0;
+const float hull_size_min_px = 240.0;
 
 // A box relative to the eye: depth of its centre and half extent along the view.
 struct Seen {
