@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <sstream>
 
 namespace quartic {
 namespace {
@@ -143,6 +144,24 @@ std::string text_table(const std::vector<Cells>& lines) {
     return text;
 }
 
+// Prose in lines of at most so many characters, as pages have them.
+std::string wrapped(const std::string& prose) {
+    constexpr std::size_t columns_max = 100;
+    std::string text;
+    std::size_t column = 0;
+    std::istringstream words(prose);
+    for (std::string word; words >> word;) {
+        const bool fits = column + 1 + word.size() <= columns_max;
+        if (column > 0) {
+            text += fits ? ' ' : '\n';
+            column = fits ? column + 1 : 0;
+        }
+        text += word;
+        column += word.size();
+    }
+    return text;
+}
+
 std::string for_people(const Report& report, const std::string& heading,
                        const std::function<std::string(const std::vector<Cells>&)>& as_table) {
     std::string text = as_text(report.conditions) + "\n";
@@ -153,7 +172,7 @@ std::string for_people(const Report& report, const std::string& heading,
         }
     }
     for (const std::string& note : report.notes) {
-        text += "\n" + note + "\n";
+        text += "\n" + wrapped(note) + "\n";
     }
     return text;
 }
