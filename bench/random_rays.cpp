@@ -17,13 +17,6 @@ constexpr Long infinity = std::numeric_limits<Long>::infinity();
 constexpr std::uint64_t rays_per_row = 4096;  // that share a seed
 constexpr double turn = 2.0 * std::numbers::pi;
 
-glm::dvec3 random_direction(Random& random) {
-    const double z = random.between(-1.0, 1.0);
-    const double angle = random.between(0.0, turn);
-    const double rho = std::sqrt(1.0 - z * z);
-    return {rho * std::cos(angle), rho * std::sin(angle), z};
-}
-
 double logarithmic(Random& random, double low, double high) {
     return std::exp(random.between(std::log(low), std::log(high)));
 }

@@ -2,7 +2,11 @@
 // distributions are not.
 #pragma once
 
+#include <glm/glm.hpp>
+
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace quartic {
@@ -40,5 +44,13 @@ private:
     static constexpr std::uint64_t step = 0x9e3779b97f4a7c15u;
     std::uint64_t state_;
 };
+
+// A unit vector, all directions alike.
+inline glm::dvec3 random_direction(Random& random) {
+    const double z = random.between(-1.0, 1.0);
+    const double angle = random.between(0.0, 2.0 * std::numbers::pi);
+    const double rho = std::sqrt(1.0 - z * z);
+    return {rho * std::cos(angle), rho * std::sin(angle), z};
+}
 
 }  // namespace quartic

@@ -35,13 +35,6 @@ private:
     double pitch_;
 };
 
-glm::dvec3 direction(Random& random) {
-    const double z = random.between(-1.0, 1.0);
-    const double angle = random.between(0.0, 2.0 * pi);
-    const double rho = std::sqrt(1.0 - z * z);
-    return {rho * std::cos(angle), rho * std::sin(angle), z};
-}
-
 }  // namespace
 
 Scene make_tori(const GenerateOptions& options) {
@@ -53,7 +46,7 @@ Scene make_tori(const GenerateOptions& options) {
         const double outer = places.pitch() * random.between(0.3, 0.48);
         const double ratio = random.between(1.05, 8.0);
         const double radius = outer / (1.0 + ratio);
-        const glm::dvec3 axis = direction(random);
+        const glm::dvec3 axis = random_direction(random);
         model.use(random.pick(colours));
         const glm::dvec3 centre = places.at(i, random);
         model.begin("TORUS " + std::to_string(i + 1), centre);
@@ -74,7 +67,7 @@ Scene make_elbows(const GenerateOptions& options) {
         Random random(options.seed, i);
         const double outer = places.pitch() * random.between(0.3, 0.5);
         const double ratio = random.pick(ratios);
-        const glm::dvec3 axis = direction(random);
+        const glm::dvec3 axis = random_direction(random);
         const glm::dvec3 from = axes_along(axis)[0];
         const double radius = outer / (1.0 + ratio);
         model.use(random.pick(colours));

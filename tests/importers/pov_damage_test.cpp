@@ -1,5 +1,5 @@
 // POV-Ray scenes that are cut, nested without end, or grow without end when they are expanded.
-#include "importers/load.h"
+#include "tests/importers/text_models.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,8 @@
 namespace quartic {
 namespace {
 
-Result<Scene> load_text(const std::string& text) {
-    const auto* first = reinterpret_cast<const std::byte*>(text.data());
-    const Source source =
-        Source::from_bytes("/nowhere/test.pov", std::vector<std::byte>(first, first + text.size()));
-    Progress progress;
-    return load_scene(source, ImportOptions{}, progress);
+Result<Scene> load_pov(const std::string& text) {
+    return load_text(text, "/nowhere/test.pov");
 }
 
 const std::string small_file = R"(#version 3.7; #include "shapes.inc" // a comment
@@ -34,7 +30,7 @@ void expect_finite(const Scene& scene) {
 }
 
 TEST(PovDamage, the_whole_file_loses_nothing) {
-    const Result<Scene> scene = load_text(small_file);
+    const Result<Scene> scene = load_pov(small_file);
     ASSERT_TRUE(scene.ok());
     EXPECT_EQ(scene.value().parts.size(), 11u);  // six cubes of the cubic in its box
     EXPECT_EQ(scene.value().findings.count(Severity::loss), 0u);
@@ -43,7 +39,7 @@ TEST(PovDamage, the_whole_file_loses_nothing) {
 TEST(PovDamage, a_file_cut_at_every_byte_gives_a_scene_or_an_error) {
     std::size_t most = 0;
     for (std::size_t size = 0; size < small_file.size(); ++size) {
-        const Result<Scene> scene = load_text(small_file.substr(0, size));
+        const Result<Scene> scene = load_pov(small_file.substr(0, size));
         if (scene) {
             expect_finite(scene.value());
             most = std::max(most, scene.value().parts.size());
@@ -60,7 +56,7 @@ TEST(PovDamage, a_file_with_any_byte_replaced_gives_a_scene_or_an_error) {
         for (const char c : {'{', '}', '<', '#', '9', '\0', '"'}) {
             std::string text = small_file;
             text[at] = c;
-            const Result<Scene> scene = load_text(text);
+            const Result<Scene> scene = load_pov(text);
             if (scene) {
                 expect_finite(scene.value());
                 ++loaded;
@@ -78,14 +74,14 @@ TEST(PovDamage, nesting_without_end_is_a_loss) {
         for (int i = 0; i < 100'000; ++i) {
             text += opening;
         }
-        const Result<Scene> scene = load_text(text);
+        const Result<Scene> scene = load_pov(text);
         ASSERT_TRUE(scene.ok()) << opening;
         EXPECT_GT(scene.value().findings.count(Severity::loss) +
                       scene.value().findings.count(Severity::warning),
                   0u);
     }
     std::string brackets = "sphere { 0, 1 } sphere { " + std::string(1'000'000, '(');
-    EXPECT_TRUE(load_text(brackets).ok());
+    EXPECT_TRUE(load_pov(brackets).ok());
 }
 
 TEST(PovDamage, a_chain_of_declarations_is_cut_where_it_gets_too_deep) {
@@ -93,7 +89,7 @@ TEST(PovDamage, a_chain_of_declarations_is_cut_where_it_gets_too_deep) {
     for (int i = 1; i < 20'000; ++i) {
         text += "#declare A" + std::to_string(i) + " = object { A" + std::to_string(i - 1) + " }\n";
     }
-    const Result<Scene> scene = load_text(text + "object { A10 } object { A19999 }");
+    const Result<Scene> scene = load_pov(text + "object { A10 } object { A19999 }");
     ASSERT_TRUE(scene.ok());
     EXPECT_EQ(scene.value().parts.size(), 1u);
     EXPECT_GT(scene.value().findings.count(Severity::loss), 0u);
@@ -106,7 +102,7 @@ TEST(PovDamage, objects_that_double_in_each_line_stop_at_a_limit) {
             const std::string inner = "object { A" + std::to_string(i - 1) + " } ";
             text += "#declare A" + std::to_string(i) + " = union { " + inner + inner + "}\n";
         }
-        const Result<Scene> scene = load_text(text + "object { A39 } object { A20 }");
+        const Result<Scene> scene = load_pov(text + "object { A39 } object { A20 }");
         ASSERT_TRUE(scene.ok());
         EXPECT_LE(scene.value().parts.size(), 300'000u);
         EXPECT_GT(scene.value().findings.count(Severity::loss), 0u);
@@ -122,7 +118,7 @@ TEST(PovDamage, numbers_beyond_all_bounds_are_refused) {
           "cubic { <1," + zeros + "> clipped_by { box { 1, 1 } } }", std::string("box { 0, 0 }"),
           std::string("cylinder { 0, 0, 1 }"), std::string("disc { 0, 0, 1 }"),
           std::string("torus { 1, 2 }")}) {
-        const Result<Scene> scene = load_text("sphere { 0, 1 }\n" + text);
+        const Result<Scene> scene = load_pov("sphere { 0, 1 }\n" + text);
         ASSERT_TRUE(scene.ok()) << text;
         EXPECT_EQ(scene.value().parts.size(), 1u) << text;
         EXPECT_GT(scene.value().findings.count(Severity::loss), 0u) << text;

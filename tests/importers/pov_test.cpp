@@ -1,6 +1,6 @@
 // POV-Ray scenes: what is read, where it ends up, and what is said of the rest.
-#include "importers/load.h"
 #include "scene/algebraic_surface.h"
+#include "tests/importers/text_models.h"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +11,12 @@
 namespace quartic {
 namespace {
 
-Result<Scene> load_text(const std::string& text) {
-    const auto* first = reinterpret_cast<const std::byte*>(text.data());
-    const Source source =
-        Source::from_bytes("/nowhere/test.pov", std::vector<std::byte>(first, first + text.size()));
-    Progress progress;
-    return load_scene(source, ImportOptions{}, progress);
+Result<Scene> load_pov(const std::string& text) {
+    return load_text(text, "/nowhere/test.pov");
 }
 
 Scene scene_of(const std::string& text) {
-    Result<Scene> scene = load_text(text);
+    Result<Scene> scene = load_pov(text);
     EXPECT_TRUE(scene.ok()) << (scene ? "" : scene.error().message);
     return scene ? std::move(scene).value() : Scene();
 }
@@ -255,7 +251,7 @@ TEST(Pov, thirty_four_coefficients_are_one_clear_error) {
     for (int i = 1; i < 34; ++i) {
         numbers += ",0";
     }
-    const Result<Scene> scene = load_text("\n\nquartic { <" + numbers + "> }");
+    const Result<Scene> scene = load_pov("\n\nquartic { <" + numbers + "> }");
     ASSERT_FALSE(scene.ok());
     EXPECT_EQ(scene.error().kind, ErrorKind::bad_data);
     EXPECT_NE(scene.error().message.find("line 3"), std::string::npos);
@@ -264,8 +260,8 @@ TEST(Pov, thirty_four_coefficients_are_one_clear_error) {
 }
 
 TEST(Pov, a_file_without_objects_is_an_error) {
-    EXPECT_FALSE(load_text("camera { location 0 }").ok());
-    EXPECT_FALSE(load_text(" ").ok());
+    EXPECT_FALSE(load_pov("camera { location 0 }").ok());
+    EXPECT_FALSE(load_pov(" ").ok());
 }
 
 }  // namespace
